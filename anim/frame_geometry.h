@@ -1,0 +1,67 @@
+#pragma once
+// The world-space triangles of one pose.
+
+#include "anim/clip.h"
+#include "anim/pose.h"
+#include "anim/scene.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace gridreel::anim {
+
+/// One primitive of one node: a run of vertices and triangles in `FrameGeometry`.
+struct Part {
+    Index node = 0;
+    Index mesh = 0;
+    Index primitive = 0;  ///< into `Mesh::primitives`
+    std::optional<Index> material;
+    std::size_t first_vertex = 0, vertex_count = 0;
+    std::size_t first_triangle = 0, triangle_count = 0;
+    bool moves = false;   ///< its vertices can differ between two times of the clip
+    bool smooth = false;  ///< has vertex normals; otherwise shade with the triangle's own
+    bool has_tangents = false;
+    std::array<bool, 2> has_texcoords{};
+    bool has_colors = false;
+};
+
+/// World-space triangles of one pose, all parts one after another: nodes depth first in file order,
+/// primitives in file order, vertices in accessor order. Buffers are laid out once and reused.
+struct FrameGeometry {
+    std::vector<glm::vec3> positions;  ///< world space, metres
+    std::vector<glm::vec3> normals;    ///< world space, unit; zero where a part is not smooth
+    std::vector<glm::vec4> tangents;   ///< world space, w handedness; empty when no part has any
+    std::array<std::vector<glm::vec2>, 2>
+        texcoords;                  ///< per vertex, zero where absent; empty when no part has any
+    std::vector<glm::vec4> colors;  ///< per vertex, white where absent; empty when no part has any
+    std::vector<glm::uvec3>
+        triangles;  ///< into `positions`; winding as in the file, also under mirrored nodes
+    std::vector<std::uint32_t> triangle_part;  ///< into `parts`, one per triangle
+    std::vector<Part> parts;
+    std::vector<bool> mirrored;  ///< one per part: its node's matrix has a negative determinant,
+                                 ///< so the front is where the winding is clockwise
+    bool posed = false;          ///< `deform` has run once: still parts are in place
+
+    [[nodiscard]] std::size_t moving_triangles() const;
+};
+
+/// Lays out the buffers for a clip: topology, texture coordinates, colours. Positions come with `deform`.
+[[nodiscard]] FrameGeometry lay_out(const Scene& scene, const Clip& clip);
+
+/// Writes the world-space vertices of `pose` into `geometry`, in parallel.
+///
+/// Morph targets before skins before the node's matrix (glTF 2.0, section 3.7.3); a skinned part
+/// ignores its own node's matrix. The first call fills every part, later ones only those that move.
+/// Bit-identical for any number of threads; allocates nothing once warm.
+///
+/// @param geometry  from `lay_out` of the same scene and the clip that `pose` was made with
+void deform(const Scene& scene, const Pose& pose, FrameGeometry& geometry);
+
+}  // namespace gridreel::anim

@@ -1,0 +1,51 @@
+#pragma once
+// Memory that is kept from frame to frame: grows, never shrinks, never initialises.
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <span>
+#include <type_traits>
+
+namespace gridreel::rebuild {
+
+/// An array of plain values for scratch and results that are rebuilt every frame.
+/// `resize` allocates only beyond the largest size so far and leaves the contents unspecified.
+template <class T>
+class Buffer {
+    static_assert(std::is_trivially_copyable_v<T>);
+
+public:
+    void resize(std::size_t size) {
+        if (size > capacity_) {
+            capacity_ = size + size / 4;
+            data_.reset(static_cast<T*>(::operator new[](capacity_ * sizeof(T), alignment)));
+        }
+        size_ = size;
+    }
+
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] bool empty() const { return size_ == 0; }
+    [[nodiscard]] std::size_t bytes() const { return capacity_ * sizeof(T); }
+    [[nodiscard]] T* data() { return data_.get(); }
+    [[nodiscard]] const T* data() const { return data_.get(); }
+    [[nodiscard]] T& operator[](std::size_t i) { return data_.get()[i]; }
+    [[nodiscard]] const T& operator[](std::size_t i) const { return data_.get()[i]; }
+    [[nodiscard]] T* begin() { return data(); }
+    [[nodiscard]] T* end() { return data() + size_; }
+    [[nodiscard]] const T* begin() const { return data(); }
+    [[nodiscard]] const T* end() const { return data() + size_; }
+    [[nodiscard]] std::span<T> span() { return {data(), size_}; }
+    [[nodiscard]] std::span<const T> span() const { return {data(), size_}; }
+
+private:
+    static constexpr std::align_val_t alignment{64};
+    struct Free {
+        void operator()(T* p) const { ::operator delete[](p, alignment); }
+    };
+    std::unique_ptr<T, Free> data_;
+    std::size_t size_ = 0;
+    std::size_t capacity_ = 0;
+};
+
+}  // namespace gridreel::rebuild

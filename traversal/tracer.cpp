@@ -1,0 +1,47 @@
+#include "traversal/tracer.h"
+
+#include <array>
+#include <stdexcept>
+
+namespace gridreel::traversal {
+namespace {
+
+constexpr std::array kinds{TracerKind::grid, TracerKind::grid_single, TracerKind::naive};
+
+}  // namespace
+
+TraceReport& TraceReport::operator+=(const TraceReport& other) {
+    rays += other.rays;
+    cells += other.cells;
+    triangle_tests += other.triangle_tests;
+    return *this;
+}
+
+std::unique_ptr<Tracer> make_tracer(const TracerOptions&) {
+    throw std::logic_error("not yet");
+}
+
+std::string_view name_of(TracerKind kind) {
+    switch (kind) {
+        case TracerKind::grid:
+            return "grid";
+        case TracerKind::grid_single:
+            return "grid-single";
+        case TracerKind::naive:
+            return "naive";
+    }
+    return "";
+}
+
+std::optional<TracerKind> tracer_kind(std::string_view name) {
+    for (const TracerKind kind : kinds) {
+        if (name_of(kind) == name) return kind;
+    }
+    return std::nullopt;
+}
+
+std::span<const TracerKind> tracer_kinds() {
+    return kinds;
+}
+
+}  // namespace gridreel::traversal
