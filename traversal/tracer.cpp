@@ -1,7 +1,8 @@
 #include "traversal/tracer.h"
 
+#include "traversal/naive_tracer.h"
+
 #include <array>
-#include <stdexcept>
 
 namespace gridreel::traversal {
 namespace {

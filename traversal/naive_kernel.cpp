@@ -1,0 +1,77 @@
+#include "traversal/naive_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "traversal/naive_kernel.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include "traversal/triangle-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gridreel::traversal {
+namespace HWY_NAMESPACE {
+
+DepthHit closest_of_all(const CornerRuns& corners, const glm::vec3& origin, const RayFrame& ray) {
+    const hn::CappedTag<float, naive_padding> d;
+    const hn::RebindToUnsigned<decltype(d)> du;
+    using V = hn::Vec<decltype(d)>;
+    const std::size_t lanes = hn::Lanes(d);
+    const int axes[3] = {ray.axes.k, ray.axes.u(), ray.axes.v()};
+
+    const V sign = hn::Set(d, ray.axes.sign());
+    const V slope_u = hn::Set(d, ray.slope_u);
+    const V slope_v = hn::Set(d, ray.slope_v);
+    const V depth_min = hn::Set(d, ray.depth_min);
+    V best = hn::Set(d, ray.depth_max);
+    auto best_group = hn::Set(du, no_triangle);
+
+    const auto corner = [&](int which, std::size_t first) {
+        V axis[3];
+        for (int i = 0; i < 3; ++i) {
+            const float* run = corners.data + static_cast<std::size_t>(3 * which + axes[i]) * corners.padded;
+            axis[i] = hn::Sub(hn::Load(d, run + first), hn::Set(d, origin[axes[i]]));
+        }
+        return Vec3<V>{axis[0], axis[1], axis[2]};
+    };
+    for (std::size_t first = 0; first < corners.count; first += lanes) {
+        const auto edges = edge_functions(d, corner(0, first), corner(1, first), corner(2, first), sign);
+        const auto met = meet(d, edges, slope_u, slope_v);
+        const auto closer =
+            hn::And(met.inside, hn::And(hn::Gt(met.depth, depth_min), hn::Lt(met.depth, best)));
+        best = hn::IfThenElse(closer, met.depth, best);
+        best_group = hn::IfThenElse(hn::RebindMask(du, closer),
+                                    hn::Set(du, static_cast<std::uint32_t>(first)), best_group);
+    }
+
+    // Each lane kept its first closest triangle; the lowest index of the closest lanes wins.
+    HWY_ALIGN float depths[naive_padding];
+    HWY_ALIGN std::uint32_t groups[naive_padding];
+    hn::Store(best, d, depths);
+    hn::Store(best_group, du, groups);
+    DepthHit hit{.depth = ray.depth_max};
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        if (groups[lane] == no_triangle) continue;
+        const auto triangle = groups[lane] + static_cast<std::uint32_t>(lane);
+        if (depths[lane] < hit.depth || (depths[lane] == hit.depth && triangle < hit.triangle)) {
+            hit = {.depth = depths[lane], .triangle = triangle};
+        }
+    }
+    return hit;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gridreel::traversal
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gridreel::traversal {
+
+HWY_EXPORT(closest_of_all);
+
+DepthHit closest_of_all(const CornerRuns& corners, const glm::vec3& origin, const RayFrame& ray) {
+    return HWY_DYNAMIC_DISPATCH(closest_of_all)(corners, origin, ray);
+}
+
+}  // namespace gridreel::traversal
+#endif

@@ -1,0 +1,30 @@
+#pragma once
+// The inner loop of the naive tracer, chosen for the machine's SIMD instructions at run time.
+
+#include "traversal/ray_frame.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gridreel::traversal {
+
+/// Triangles one after another, corner by corner: x of all A, y of all A, …, z of all C.
+struct CornerRuns {
+    const float* data = nullptr;  ///< 9 * padded floats
+    std::size_t count = 0;        ///< triangles
+    std::size_t padded = 0;       ///< length of a run, a multiple of `naive_padding`; NaN beyond `count`
+};
+
+inline constexpr std::size_t naive_padding = 16;
+
+struct DepthHit {
+    float depth = 0.0f;  ///< the ray's depth_max on a miss
+    std::uint32_t triangle = no_triangle;
+};
+
+[[nodiscard]] DepthHit closest_of_all(const CornerRuns& corners, const glm::vec3& origin,
+                                      const RayFrame& ray);
+
+}  // namespace gridreel::traversal

@@ -1,0 +1,73 @@
+#include "traversal/naive_tracer.h"
+
+#include "traversal/naive_kernel.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <chrono>
+#include <limits>
+
+namespace gridreel::traversal {
+namespace {
+
+constexpr std::size_t rays_per_task = 256;
+
+std::size_t padded(std::size_t count) {
+    return (count + naive_padding - 1) / naive_padding * naive_padding;
+}
+
+template <class Store>
+TraceReport trace(const RayBatch& rays, const CornerRuns& corners, const Store& store) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), rays_per_task), [&](const auto& range) {
+        for (std::size_t ray = range.begin(); ray < range.end(); ++ray) {
+            const RayFrame frame = ray_frame(rays, ray);
+            const DepthHit hit =
+                frame.hits_nothing() ? DepthHit{} : closest_of_all(corners, rays.origin_of(ray), frame);
+            store(ray, frame, hit);
+        }
+    });
+    return {.rays = rays.size(), .triangle_tests = rays.size() * corners.count};
+}
+
+}  // namespace
+
+rebuild::BuildReport NaiveTracer::rebuild(const rebuild::TriangleView& triangles) {
+    const auto start = std::chrono::steady_clock::now();
+    triangle_count_ = triangles.size();
+    const std::size_t run = padded(triangle_count_);
+    corners_.resize(9 * run);
+    for (std::size_t i = 0; i < run; ++i) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto a = static_cast<int>(axis);
+                corners_[(3 * corner + axis) * run + i] =
+                    i < triangle_count_
+                        ? triangles.positions[triangles.triangles[i][static_cast<int>(corner)]][a]
+                        : std::numeric_limits<float>::quiet_NaN();
+            }
+        }
+    }
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+    return {.total_ms = elapsed.count(), .bytes = corners_.bytes()};
+}
+
+TraceReport NaiveTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
+    hits.resize(rays.size());
+    const CornerRuns corners{corners_.data(), triangle_count_, padded(triangle_count_)};
+    return trace(rays, corners, [&](std::size_t ray, const RayFrame& frame, const DepthHit& hit) {
+        const bool missed = hit.triangle == no_triangle;
+        hits.t[ray] = missed ? std::numeric_limits<float>::infinity() : frame.t_of(hit.depth);
+        hits.triangle[ray] = hit.triangle;
+    });
+}
+
+TraceReport NaiveTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded) {
+    occluded.resize(rays.size());
+    const CornerRuns corners{corners_.data(), triangle_count_, padded(triangle_count_)};
+    return trace(rays, corners, [&](std::size_t ray, const RayFrame&, const DepthHit& hit) {
+        occluded[ray] = hit.triangle != no_triangle;
+    });
+}
+
+}  // namespace gridreel::traversal
