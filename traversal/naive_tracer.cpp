@@ -5,6 +5,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <array>
 #include <chrono>
 #include <limits>
 
@@ -15,6 +16,18 @@ constexpr std::size_t rays_per_task = 256;
 
 std::size_t padded(std::size_t count) {
     return (count + naive_padding - 1) / naive_padding * naive_padding;
+}
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr std::array<glm::vec3, 3> never_hit{glm::vec3{nan}, glm::vec3{nan}, glm::vec3{nan}};
+
+std::array<glm::vec3, 3> traceable_corners(const rebuild::TriangleView& triangles, std::size_t index) {
+    const glm::uvec3& corners = triangles.triangles[index];
+    const glm::vec3& a = triangles.positions[corners.x];
+    const glm::vec3& b = triangles.positions[corners.y];
+    const glm::vec3& c = triangles.positions[corners.z];
+    if (!rebuild::is_traceable(a) || !rebuild::is_traceable(b) || !rebuild::is_traceable(c)) return never_hit;
+    return {a, b, c};
 }
 
 template <class Store>
@@ -38,13 +51,11 @@ rebuild::BuildReport NaiveTracer::rebuild(const rebuild::TriangleView& triangles
     const std::size_t run = padded(triangle_count_);
     corners_.resize(9 * run);
     for (std::size_t i = 0; i < run; ++i) {
+        const std::array<glm::vec3, 3> corners =
+            i < triangle_count_ ? traceable_corners(triangles, i) : never_hit;
         for (std::size_t corner = 0; corner < 3; ++corner) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                const auto a = static_cast<int>(axis);
-                corners_[(3 * corner + axis) * run + i] =
-                    i < triangle_count_
-                        ? triangles.positions[triangles.triangles[i][static_cast<int>(corner)]][a]
-                        : std::numeric_limits<float>::quiet_NaN();
+                corners_[(3 * corner + axis) * run + i] = corners[corner][static_cast<int>(axis)];
             }
         }
     }

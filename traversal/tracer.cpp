@@ -1,8 +1,10 @@
 #include "traversal/tracer.h"
 
+#include "traversal/grid_tracer.h"
 #include "traversal/naive_tracer.h"
 
 #include <array>
+#include <stdexcept>
 
 namespace gridreel::traversal {
 namespace {
@@ -18,8 +20,17 @@ TraceReport& TraceReport::operator+=(const TraceReport& other) {
     return *this;
 }
 
-std::unique_ptr<Tracer> make_tracer(const TracerOptions&) {
-    throw std::logic_error("not yet");
+std::unique_ptr<Tracer> make_tracer(const TracerOptions& options) {
+    using Traversal = GridTracer::Traversal;
+    switch (options.kind) {
+        case TracerKind::grid:
+            return std::make_unique<GridTracer>(options.resolution, Traversal::coherent);
+        case TracerKind::grid_single:
+            return std::make_unique<GridTracer>(options.resolution, Traversal::one_by_one);
+        case TracerKind::naive:
+            return std::make_unique<NaiveTracer>();
+    }
+    throw std::invalid_argument("unknown kind of tracer");
 }
 
 std::string_view name_of(TracerKind kind) {

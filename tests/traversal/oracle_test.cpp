@@ -1,0 +1,160 @@
+// Every tracer against the naive one, on everything nasty.
+
+#include "test_rays.h"
+#include "test_triangles.h"
+#include "traversal/simd_target.h"
+#include "traversal/tracer.h"
+
+#include <catch2/catch.hpp>
+
+#include <tbb/task_arena.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gridreel::tests {
+namespace {
+
+using traversal::HitBatch;
+using traversal::OcclusionBatch;
+using traversal::RayBatch;
+using traversal::Tracer;
+using traversal::TracerKind;
+
+std::vector<Triangles> nasty_triangles() {
+    return {soup(1500, 0.1f),
+            sheet(24),
+            slivers(600),
+            coplanar(300),
+            boxes(6),
+            degenerate(1000),
+            teapot_in_stadium(),
+            scaled(soup(400, 0.2f), 1e6f, {3e6f, -2e6f, 5e6f}),
+            scaled(soup(400, 0.2f), 1e-6f, {}),
+            scaled(sheet(16), 1.0f, {1000.0f, 2000.0f, 3000.0f})};
+}
+
+/// What disagrees first, or nothing.
+std::string first_difference(const HitBatch& expected, const HitBatch& actual) {
+    for (std::size_t i = 0; i < expected.t.size(); ++i) {
+        if (expected.triangle[i] == actual.triangle[i] && expected.t[i] == actual.t[i]) continue;
+        return "ray " + std::to_string(i) + ": triangle " + std::to_string(expected.triangle[i]) + " at t " +
+               std::to_string(expected.t[i]) + " by the oracle, " + std::to_string(actual.triangle[i]) +
+               " at " + std::to_string(actual.t[i]);
+    }
+    return {};
+}
+
+std::size_t differences(const OcclusionBatch& expected, const OcclusionBatch& actual) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) count += expected[i] != actual[i];
+    return count;
+}
+
+/// Lifts the limit again, whatever happens.
+struct SimdLimit {
+    explicit SimdLimit(std::string_view name) { REQUIRE(traversal::limit_simd_target(name)); }
+    SimdLimit(const SimdLimit&) = delete;
+    SimdLimit& operator=(const SimdLimit&) = delete;
+    ~SimdLimit() { traversal::limit_simd_target(""); }
+};
+
+/// @return how many rays were compared
+std::size_t check_against_oracle(const Triangles& triangles, std::size_t rays_per_batch, float lambda) {
+    const auto oracle = make_tracer({.kind = TracerKind::naive, .resolution = {}});
+    oracle->rebuild(triangles.view());
+    std::size_t compared = 0;
+    for (const auto& [name, rays] : nasty_batches(triangles, rays_per_batch)) {
+        HitBatch expected, actual;
+        OcclusionBatch expected_blocked, actual_blocked;
+        oracle->closest_hits(rays, expected);
+        oracle->any_hits(rays, expected_blocked);
+        for (const TracerKind kind : {TracerKind::grid, TracerKind::grid_single}) {
+            INFO(triangles.name << ", " << name << ", " << name_of(kind) << ", lambda " << lambda);
+            const auto tracer = make_tracer({.kind = kind, .resolution = {.lambda = lambda}});
+            tracer->rebuild(triangles.view());
+            tracer->closest_hits(rays, actual);
+            CHECK(first_difference(expected, actual) == "");
+            tracer->any_hits(rays, actual_blocked);
+            CHECK(differences(expected_blocked, actual_blocked) == 0);
+            compared += rays.size();
+        }
+    }
+    return compared;
+}
+
+}  // namespace
+
+TEST_CASE("every tracer gives the naive answer, bit for bit", "[traversal][oracle]") {
+    std::size_t compared = 0;
+    for (const Triangles& triangles : nasty_triangles())
+        compared += check_against_oracle(triangles, 5000, 1.0f);
+    CHECK(compared > 1'000'000);
+}
+
+TEST_CASE("the answer does not depend on lambda", "[traversal][oracle]") {
+    for (const float lambda : {0.01f, 0.4f, 20.0f, 500.0f}) {
+        check_against_oracle(soup(700, 0.15f), 600, lambda);
+        check_against_oracle(boxes(4), 600, lambda);
+    }
+}
+
+TEST_CASE("every SIMD target gives its own naive answer", "[traversal][oracle][simd]") {
+    for (const std::string_view target : traversal::simd_targets()) {
+        const SimdLimit limit(target);
+        INFO(target);
+        check_against_oracle(soup(500, 0.2f), 800, 1.0f);
+        check_against_oracle(coplanar(150), 800, 1.0f);
+        check_against_oracle(degenerate(300), 800, 1.0f);
+    }
+}
+
+TEST_CASE("targets with fused multiply-add agree bit for bit, others within rounding", "[traversal][simd]") {
+    const Triangles triangles = soup(2000, 0.1f);
+    const RayBatch rays = pinhole({0.3f, 0.4f, 3.0f}, {}, 0.5f, 128);
+    HitBatch best, other;
+    const auto tracer = make_tracer({});
+    tracer->rebuild(triangles.view());
+    tracer->closest_hits(rays, best);
+    const bool best_fuses = traversal::simd_target().substr(0, 3) == "AVX";
+    for (const std::string_view target : traversal::simd_targets()) {
+        const SimdLimit limit(target);
+        INFO(target);
+        tracer->closest_hits(rays, other);
+        if ((target.substr(0, 3) == "AVX") == best_fuses) {
+            CHECK(first_difference(best, other) == "");
+            continue;
+        }
+        std::size_t disagreements = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            disagreements += best.triangle[i] != other.triangle[i];
+            if (best.triangle[i] == other.triangle[i] && best.triangle[i] != traversal::no_triangle) {
+                CHECK(other.t[i] == Approx(best.t[i]).epsilon(1e-5));
+            }
+        }
+        CHECK(disagreements <= rays.size() / 1000);
+    }
+}
+
+TEST_CASE("hits do not depend on the number of threads", "[traversal]") {
+    const Triangles triangles = soup(3000, 0.1f);
+    for (const auto& [name, rays] : nasty_batches(triangles, 4000)) {
+        INFO(name);
+        HitBatch one, many;
+        for (const TracerKind kind : {TracerKind::grid, TracerKind::grid_single}) {
+            const auto trace = [&](int threads, HitBatch& hits) {
+                tbb::task_arena(threads).execute([&] {
+                    const auto tracer = make_tracer({.kind = kind, .resolution = {}});
+                    tracer->rebuild(triangles.view());
+                    return tracer->closest_hits(rays, hits);
+                });
+            };
+            trace(1, one);
+            trace(8, many);
+            CHECK(first_difference(one, many) == "");
+        }
+    }
+}
+
+}  // namespace gridreel::tests

@@ -1,0 +1,124 @@
+// The edge functions, which all tracers share, against the textbook in double precision.
+
+#include "reference_intersection.h"
+#include "test_rays.h"
+#include "test_triangles.h"
+#include "traversal/tracer.h"
+
+#include <catch2/catch.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace gridreel::tests {
+namespace {
+
+using traversal::HitBatch;
+using traversal::RayBatch;
+using traversal::TracerKind;
+
+HitBatch naive_hits(const Triangles& triangles, const RayBatch& rays) {
+    const auto tracer = make_tracer({.kind = TracerKind::naive, .resolution = {}});
+    tracer->rebuild(triangles.view());
+    HitBatch hits;
+    tracer->closest_hits(rays, hits);
+    return hits;
+}
+
+/// Rays whose answer is beyond doubt in double precision must get it in single precision.
+void check_clear_hits(const Triangles& triangles, const RayBatch& rays) {
+    const HitBatch hits = naive_hits(triangles, rays);
+    std::size_t clear = 0, wrong = 0, imprecise = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const glm::dvec3 origin{rays.origin_of(i)}, direction{rays.direction_of(i)};
+        // In doubt: any triangle nearly grazed, or nearly missed.
+        std::optional<ReferenceHit> nearest;
+        bool doubtful = false;
+        for (std::uint32_t t = 0; t < triangles.triangles.size(); ++t) {
+            const auto hit = intersect(triangles, t, origin, direction);
+            if (!hit || hit->inside < -1e-3) continue;
+            doubtful |= std::fabs(hit->inside) < 1e-3 || hit->facing < 1e-2;
+            if (hit->inside >= 0.0 && (!nearest || hit->t < nearest->t)) nearest = hit;
+        }
+        if (doubtful) continue;
+        ++clear;
+        const bool hit = hits.triangle[i] != traversal::no_triangle;
+        if (hit != nearest.has_value()) {
+            ++wrong;
+        } else if (nearest) {
+            imprecise += std::fabs(double(hits.t[i]) / nearest->t - 1.0) > 1e-5;
+        }
+    }
+    CHECK(clear > rays.size() / 4);
+    CHECK(wrong == 0);
+    CHECK(imprecise == 0);
+}
+
+}  // namespace
+
+TEST_CASE("clear hits and misses agree with the textbook in double precision", "[traversal][reference]") {
+    const glm::vec3 eye{0.4f, 0.9f, 2.5f};
+    for (const Triangles& triangles : {soup(300, 0.3f), sheet(12), boxes(3), sphere(10)}) {
+        INFO(triangles.name);
+        check_clear_hits(triangles, pinhole(eye, {0.1f, 0.0f, 0.0f}, 0.6f, 64));
+        check_clear_hits(triangles, from_point({0.31f, 0.17f, 0.23f}, 4000, 31));
+    }
+}
+
+TEST_CASE("triangles far smaller than their distance are not lost", "[traversal][reference]") {
+    // A million-triangle sheet seen from afar has triangles of this size: aim at the middle of each.
+    const Triangles triangles = scaled(sheet(40), 1e-3f, {0.5f, -0.25f, 0.125f});
+    const glm::vec3 eye{2.0f, 3.0f, 4.0f};
+    RayBatch rays;
+    rays.resize(triangles.triangles.size(), eye, traversal::RayOrder::arbitrary);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const glm::uvec3& t = triangles.triangles[i];
+        rays.set_direction(
+            i, (triangles.positions[t.x] + triangles.positions[t.y] + triangles.positions[t.z]) / 3.0f - eye);
+        rays.t_min[i] = 0.0f;
+        rays.t_max[i] = 2.0f;
+    }
+    const HitBatch hits = naive_hits(triangles, rays);
+    std::size_t missed = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) missed += hits.triangle[i] == traversal::no_triangle;
+    CHECK(missed == 0);
+}
+
+TEST_CASE("no ray escapes from inside a closed mesh", "[traversal][watertight]") {
+    for (const TracerKind kind : {TracerKind::grid, TracerKind::grid_single}) {
+        for (const float scale : {1e-3f, 1.0f, 1e4f}) {
+            const Triangles ball = scaled(sphere(24), scale, glm::vec3{0.7f} * scale);
+            const auto tracer = make_tracer({.kind = kind, .resolution = {}});
+            tracer->rebuild(ball.view());
+            const RayBatch rays = from_point(glm::vec3{0.8f, 0.9f, 0.6f} * scale, 200'000, 32);
+            HitBatch hits;
+            tracer->closest_hits(rays, hits);
+            std::size_t escaped = 0;
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                escaped += hits.triangle[i] == traversal::no_triangle;
+            INFO(name_of(kind) << " at scale " << scale);
+            CHECK(escaped == 0);
+        }
+    }
+}
+
+TEST_CASE("a ray through a shared edge or vertex hits one of its triangles", "[traversal][watertight]") {
+    const Triangles ball = sphere(12);
+    const glm::vec3 eye{0.05f, 0.1f, -0.2f};
+    RayBatch rays;
+    rays.resize(3 * ball.triangles.size(), eye, traversal::RayOrder::arbitrary);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const glm::uvec3& t = ball.triangles[i / 3];
+        const glm::vec3 &a = ball.positions[t.x], &b = ball.positions[t.y];
+        rays.set_direction(i, (i % 3 == 0 ? a : i % 3 == 1 ? 0.5f * (a + b) : a + 0.3f * (b - a)) - eye);
+        rays.t_min[i] = 0.0f;
+        rays.t_max[i] = 1e9f;
+    }
+    const HitBatch hits = naive_hits(ball, rays);
+    std::size_t escaped = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) escaped += hits.triangle[i] == traversal::no_triangle;
+    CHECK(escaped == 0);
+}
+
+}  // namespace gridreel::tests

@@ -1,0 +1,33 @@
+#pragma once
+// The grid behind the tracer interface.
+
+#include "rebuild/grid_builder.h"
+#include "traversal/ray_sort.h"
+#include "traversal/tracer.h"
+
+namespace gridreel::traversal {
+
+/// Rebuilds a uniform grid and traces rays through it: batches with a common origin as coherent packets,
+/// unless told otherwise, all others ray by ray.
+class GridTracer final : public Tracer {
+public:
+    enum class Traversal { coherent, one_by_one };
+
+    GridTracer(const rebuild::ResolutionPolicy& resolution, Traversal traversal);
+
+    rebuild::BuildReport rebuild(const rebuild::TriangleView& triangles) override;
+    TraceReport closest_hits(const RayBatch& rays, HitBatch& hits) override;
+    TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) override;
+
+private:
+    [[nodiscard]] bool in_packets(const RayBatch& rays) const;
+    [[nodiscard]] std::span<const std::uint32_t> order_of(const RayBatch& rays);
+
+    Traversal traversal_;
+    rebuild::GridBuilder builder_;
+    rebuild::TriangleView triangles_;
+    RaySort ray_sort_;
+    rebuild::Buffer<std::uint32_t> order_;
+};
+
+}  // namespace gridreel::traversal

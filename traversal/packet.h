@@ -1,0 +1,62 @@
+#pragma once
+// Up to 256 rays from one origin along one axis, in 16 blocks of 16.
+
+#include "traversal/ray_frame.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace gridreel::traversal {
+
+inline constexpr std::size_t rays_per_block = 16;
+inline constexpr std::size_t blocks_per_packet = 16;
+inline constexpr std::size_t rays_per_packet = rays_per_block * blocks_per_packet;
+
+/// Eight roundings of a float. Edge functions of rays with slopes up to 1 err by less than this times the
+/// normal's components; bounds over many rays are widened by it, so culling never drops what a ray would hit.
+inline constexpr float rounding_margin = 0x1p-21f;
+
+/// Rays of one frame (`Axes`) with a common origin, block after block; lanes beyond `ray_count` repeat a ray
+/// and can hit nothing. Depths as in `RayFrame`.
+struct alignas(64) Packet {
+    float slope_u[rays_per_packet];
+    float slope_v[rays_per_packet];
+    float depth_min[rays_per_packet];
+    float depth[rays_per_packet];  ///< nearest hit so far, first the ray's limit; -1: needs no more hits
+    std::uint32_t triangle[rays_per_packet];  ///< of the nearest hit; `no_hit_yet` before
+
+    // Of each block: its slopes lie within centre +- half, widened by `rounding_margin`.
+    float centre_u[blocks_per_packet];
+    float half_u[blocks_per_packet];
+    float centre_v[blocks_per_packet];
+    float half_v[blocks_per_packet];
+    float near_depth[blocks_per_packet];  ///< least depth_min
+    float far_depth[blocks_per_packet];   ///< greatest depth; negative when the block is done
+
+    glm::vec3 origin;
+    Axes axes;
+    std::uint32_t ray_count;
+    std::uint32_t ray[rays_per_packet];  ///< position in the batch
+
+    [[nodiscard]] std::size_t block_count() const {
+        return (ray_count + rays_per_block - 1) / rays_per_block;
+    }
+};
+
+/// Lower than any index that could tie with it, so that a hit exactly at a ray's limit does not count.
+inline constexpr std::uint32_t no_hit_yet = 0;
+
+/// One ray of a batch, ready for a packet.
+struct FramedRay {
+    RayFrame frame;
+    std::uint32_t ray = 0;
+};
+
+/// Fills a packet with rays that all have the frame `axes`.
+/// @param rays  1 to 256 of them, none of which hits nothing
+void load_packet(const glm::vec3& origin, Axes axes, std::span<const FramedRay> rays, Packet& packet);
+
+}  // namespace gridreel::traversal

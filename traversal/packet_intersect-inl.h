@@ -1,0 +1,228 @@
+// A packet of rays against waiting triangles: 16 triangles against the frustum, each survivor against the
+// blocks, each block left ray by ray. Included once per SIMD target.
+
+#if defined(GRIDREEL_TRAVERSAL_PACKET_INTERSECT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRIDREEL_TRAVERSAL_PACKET_INTERSECT_INL_H_
+#undef GRIDREEL_TRAVERSAL_PACKET_INTERSECT_INL_H_
+#else
+#define GRIDREEL_TRAVERSAL_PACKET_INTERSECT_INL_H_
+#endif
+
+#include "traversal/packet_kernel.h"
+#include "traversal/triangle-inl.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace gridreel::traversal {
+namespace HWY_NAMESPACE {
+
+enum class Wanted { closest, any };
+
+/// Lanes are triangles, blocks or rays, 16 of each: one, two or four registers.
+inline constexpr std::size_t group = 16;
+using LaneTag = hn::CappedTag<float, group>;
+using Lanes = hn::Vec<LaneTag>;
+
+/// Bits of a mask of up to 16 lanes.
+HWY_INLINE unsigned bits_of(LaneTag d, hn::Mask<LaneTag> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    return static_cast<unsigned>(bytes[0]) | static_cast<unsigned>(bytes[1]) << 8;
+}
+
+/// The hull of the active blocks: slopes within centre +- half, depths that can still matter.
+struct Frustum {
+    float centre_u = 0.0f, half_u = 0.0f, centre_v = 0.0f, half_v = 0.0f;
+    float near_depth = 0.0f, far_depth = -1.0f;
+};
+
+HWY_INLINE Frustum frustum_of(const Packet& packet, unsigned active) {
+    float low_u = 2.0f, high_u = -2.0f, low_v = 2.0f, high_v = -2.0f;
+    Frustum hull;
+    hull.near_depth = packet.near_depth[std::countr_zero(active)];
+    for (unsigned rest = active; rest != 0; rest &= rest - 1) {
+        const int block = std::countr_zero(rest);
+        low_u = std::min(low_u, packet.centre_u[block] - packet.half_u[block]);
+        high_u = std::max(high_u, packet.centre_u[block] + packet.half_u[block]);
+        low_v = std::min(low_v, packet.centre_v[block] - packet.half_v[block]);
+        high_v = std::max(high_v, packet.centre_v[block] + packet.half_v[block]);
+        hull.near_depth = std::min(hull.near_depth, packet.near_depth[block]);
+        hull.far_depth = std::max(hull.far_depth, packet.far_depth[block]);
+    }
+    hull.centre_u = 0.5f * (low_u + high_u);
+    hull.centre_v = 0.5f * (low_v + high_v);
+    hull.half_u = std::max(high_u - hull.centre_u, hull.centre_u - low_u) + rounding_margin;
+    hull.half_v = std::max(high_v - hull.centre_v, hull.centre_v - low_v) + rounding_margin;
+    return hull;
+}
+
+/// The edge functions of 16 triangles, triangle by triangle.
+struct alignas(64) EdgeTable {
+    float k[3][group], u[3][group], v[3][group];
+    float volume[group], depth_min[group], depth_max[group];
+};
+
+/// The corners of 16 triangles relative to the packet's origin, in the order K, U, V.
+struct alignas(64) CornerTable {
+    float axis[3][3][group];  // corner, axis, triangle
+};
+
+HWY_INLINE void gather(const GridScene& scene, const Packet& packet, const std::uint32_t* triangles,
+                       std::size_t count, CornerTable& corners) {
+    const int axes[3] = {packet.axes.k, packet.axes.u(), packet.axes.v()};
+    for (std::size_t i = 0; i < group; ++i) {
+        const glm::uvec3& indices = scene.triangles.triangles[triangles[std::min(i, count - 1)]];
+        for (int corner = 0; corner < 3; ++corner) {
+            const glm::vec3& p = scene.triangles.positions[indices[corner]];
+            for (int axis = 0; axis < 3; ++axis) {
+                corners.axis[corner][axis][i] = p[axes[axis]] - packet.origin[axes[axis]];
+            }
+        }
+    }
+}
+
+/// Whether any direction within the bounds can be inside all three edges, lane by lane: the edge function's
+/// greatest value is at a corner of the bounds. No division, so nothing behind the origin confuses it.
+HWY_INLINE hn::Mask<LaneTag> may_be_inside(LaneTag d, const EdgeFunctions<Lanes>& edges, Lanes centre_u,
+                                           Lanes half_u, Lanes centre_v, Lanes half_v) {
+    const Lanes margin = hn::Set(d, rounding_margin);
+    auto inside = hn::Gt(edges.volume, hn::Zero(d));
+    for (const Vec3<Lanes>& n : edges.normal) {
+        Lanes greatest = hn::MulAdd(margin, hn::Abs(n.k), n.k);
+        greatest = hn::MulAdd(centre_u, n.u, greatest);
+        greatest = hn::MulAdd(centre_v, n.v, greatest);
+        greatest = hn::MulAdd(half_u, hn::Abs(n.u), greatest);
+        greatest = hn::MulAdd(half_v, hn::Abs(n.v), greatest);
+        inside = hn::And(inside, hn::Ge(greatest, hn::Zero(d)));
+    }
+    return inside;
+}
+
+/// Edge functions of 16 triangles into `table`. @return a bit for each that the frustum does not cull
+HWY_INLINE unsigned cull_by_frustum(const CornerTable& corners, float sign, const Frustum& frustum,
+                                    EdgeTable& table) {
+    const LaneTag d;
+    unsigned survivors = 0;
+    for (std::size_t first = 0; first < group; first += hn::Lanes(d)) {
+        const auto corner = [&](int which) {
+            return Vec3<Lanes>{hn::Load(d, corners.axis[which][0] + first),
+                               hn::Load(d, corners.axis[which][1] + first),
+                               hn::Load(d, corners.axis[which][2] + first)};
+        };
+        const auto edges = edge_functions(d, corner(0), corner(1), corner(2), hn::Set(d, sign));
+        const auto inside = may_be_inside(d, edges, hn::Set(d, frustum.centre_u), hn::Set(d, frustum.half_u),
+                                          hn::Set(d, frustum.centre_v), hn::Set(d, frustum.half_v));
+        const auto in_reach = hn::And(hn::Le(edges.depth_min, hn::Set(d, frustum.far_depth)),
+                                      hn::Ge(edges.depth_max, hn::Set(d, frustum.near_depth)));
+        survivors |= bits_of(d, hn::And(inside, in_reach)) << first;
+        for (int edge = 0; edge < 3; ++edge) {
+            hn::Store(edges.normal[edge].k, d, table.k[edge] + first);
+            hn::Store(edges.normal[edge].u, d, table.u[edge] + first);
+            hn::Store(edges.normal[edge].v, d, table.v[edge] + first);
+        }
+        hn::Store(edges.volume, d, table.volume + first);
+        hn::Store(edges.depth_min, d, table.depth_min + first);
+        hn::Store(edges.depth_max, d, table.depth_max + first);
+    }
+    return survivors;
+}
+
+HWY_INLINE EdgeFunctions<Lanes> broadcast(const EdgeTable& table, int triangle) {
+    const LaneTag d;
+    EdgeFunctions<Lanes> edges;
+    for (int edge = 0; edge < 3; ++edge) {
+        edges.normal[edge] = {hn::Set(d, table.k[edge][triangle]), hn::Set(d, table.u[edge][triangle]),
+                              hn::Set(d, table.v[edge][triangle])};
+    }
+    edges.volume = hn::Set(d, table.volume[triangle]);
+    edges.depth_min = hn::Set(d, table.depth_min[triangle]);
+    edges.depth_max = hn::Set(d, table.depth_max[triangle]);
+    return edges;
+}
+
+/// One triangle against all blocks, a lane a block. @return a bit for each block that must look closer
+HWY_INLINE unsigned blocks_that_may_hit(const Packet& packet, const EdgeFunctions<Lanes>& edges) {
+    const LaneTag d;
+    unsigned blocks = 0;
+    for (std::size_t first = 0; first < blocks_per_packet; first += hn::Lanes(d)) {
+        const auto inside =
+            may_be_inside(d, edges, hn::Load(d, packet.centre_u + first), hn::Load(d, packet.half_u + first),
+                          hn::Load(d, packet.centre_v + first), hn::Load(d, packet.half_v + first));
+        const auto in_reach = hn::And(hn::Le(edges.depth_min, hn::Load(d, packet.far_depth + first)),
+                                      hn::Ge(edges.depth_max, hn::Load(d, packet.near_depth + first)));
+        blocks |= bits_of(d, hn::And(inside, in_reach)) << first;
+    }
+    return blocks;
+}
+
+/// One triangle against the rays of one block. Equal depths go to the lower index, whatever the order of
+/// tests.
+template <Wanted wanted>
+HWY_INLINE void intersect_block(Packet& packet, const EdgeFunctions<Lanes>& edges, std::uint32_t triangle,
+                                int block) {
+    const LaneTag d;
+    const hn::RebindToUnsigned<LaneTag> du;
+    const auto index = hn::Set(du, triangle);
+    bool changed = false;
+    const std::size_t begin = static_cast<std::size_t>(block) * rays_per_block;
+    for (std::size_t first = begin; first < begin + rays_per_block; first += hn::Lanes(d)) {
+        const auto met =
+            meet(d, edges, hn::Load(d, packet.slope_u + first), hn::Load(d, packet.slope_v + first));
+        const Lanes best = hn::Load(d, packet.depth + first);
+        const auto held = hn::Load(du, packet.triangle + first);
+        const auto wins_tie = hn::And(hn::Eq(met.depth, best), hn::RebindMask(d, hn::Lt(index, held)));
+        const auto closer =
+            hn::And(hn::And(met.inside, hn::Gt(met.depth, hn::Load(d, packet.depth_min + first))),
+                    hn::Or(hn::Lt(met.depth, best), wins_tie));
+        if (hn::AllFalse(d, closer)) continue;
+        changed = true;
+        const Lanes depth = wanted == Wanted::any ? hn::Set(d, -1.0f) : met.depth;
+        hn::Store(hn::IfThenElse(closer, depth, best), d, packet.depth + first);
+        hn::Store(hn::IfThenElse(hn::RebindMask(du, closer), index, held), du, packet.triangle + first);
+    }
+    if (!changed) return;
+    Lanes farthest = hn::Load(d, packet.depth + begin);
+    for (std::size_t first = begin + hn::Lanes(d); first < begin + rays_per_block; first += hn::Lanes(d)) {
+        farthest = hn::Max(farthest, hn::Load(d, packet.depth + first));
+    }
+    packet.far_depth[block] = hn::GetLane(hn::MaxOfLanes(d, farthest));
+}
+
+/// Intersects the waiting triangles with the active blocks and lets them go.
+/// Blocks whose rays need nothing more leave `active`.
+template <Wanted wanted>
+void intersect(const GridScene& scene, Packet& packet, unsigned& active, const Frustum& frustum,
+               Candidates& candidates, TraceReport& report) {
+    CornerTable corners;
+    EdgeTable table;
+    for (std::size_t begin = 0; begin < candidates.size() && active != 0; begin += group) {
+        const std::uint32_t* triangles = candidates.data() + begin;
+        const std::size_t count = std::min(group, candidates.size() - begin);
+        gather(scene, packet, triangles, count, corners);
+        unsigned survivors = cull_by_frustum(corners, packet.axes.sign(), frustum, table);
+        survivors &= (1u << count) - 1u;
+        for (; survivors != 0; survivors &= survivors - 1) {
+            const int i = std::countr_zero(survivors);
+            const auto edges = broadcast(table, i);
+            unsigned blocks = blocks_that_may_hit(packet, edges) & active;
+            report.triangle_tests += static_cast<std::uint64_t>(std::popcount(blocks)) * rays_per_block;
+            for (; blocks != 0; blocks &= blocks - 1) {
+                const int block = std::countr_zero(blocks);
+                intersect_block<wanted>(packet, edges, triangles[i], block);
+                if (packet.far_depth[block] < 0.0f) active &= ~(1u << block);
+            }
+        }
+    }
+    candidates.drop_all();
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gridreel::traversal
+HWY_AFTER_NAMESPACE();
+
+#endif  // toggled include guard

@@ -1,0 +1,17 @@
+#pragma once
+// A stable parallel sort for keys made of few bits.
+
+#include "rebuild/buffer.h"
+
+#include <cstdint>
+
+namespace gridreel::traversal {
+
+/// Sorts `items` by bits [32, 32 + key_bits), ascending; equal keys keep their order.
+/// Least significant digit first, 11 bits a pass, each pass counted and scattered in parallel.
+/// @param scratch  resized to hold as many items
+/// @param key_bits in [0, 32]
+void radix_sort(rebuild::Buffer<std::uint64_t>& items, rebuild::Buffer<std::uint64_t>& scratch,
+                unsigned key_bits);
+
+}  // namespace gridreel::traversal

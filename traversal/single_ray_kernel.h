@@ -1,0 +1,20 @@
+#pragma once
+// Rays through the grid one at a time: what coherent traversal is measured against, and the way of rays
+// that have no common origin.
+
+#include "traversal/grid_scene.h"
+#include "traversal/tracer.h"
+
+#include <cstddef>
+
+namespace gridreel::traversal {
+
+/// Closest hits of rays [begin, end), by 3D-DDA with mailboxing.
+TraceReport closest_one_by_one(const GridScene& scene, const RayBatch& rays, std::size_t begin,
+                               std::size_t end, HitBatch& hits);
+
+/// Whether anything blocks rays [begin, end); each walk ends at its first hit.
+TraceReport any_one_by_one(const GridScene& scene, const RayBatch& rays, std::size_t begin, std::size_t end,
+                           OcclusionBatch& occluded);
+
+}  // namespace gridreel::traversal
