@@ -47,13 +47,14 @@ glm::ivec3 choose_resolution(const Bounds3& world, std::size_t triangle_count,
         if (!(volume > 0.0) || extent[thinnest] / longest * per_longest < 1.0) continue;
         for (int i = first; i < 3; ++i) {
             const int axis = axes[std::size_t(i)];
-            const double n = extent[axis] / longest * per_longest;
+            const double n =
+                extent[axis] / longest * per_longest * (1.0 + 1e-9);  // a whole number stays whole
             cells[axis] = static_cast<int>(std::clamp(n, 1.0, double(policy.max_cells_per_axis)));
         }
         break;
     }
 
-    // Rounding never makes the product exceed the wish; the limit is a promise all the same.
+    // An axis held at one cell can leave the product above the limit, which is a promise.
     while (product(cells) > double(policy.max_cells)) {
         const int widest = cells.x >= cells.y && cells.x >= cells.z ? 0 : cells.y >= cells.z ? 1 : 2;
         cells[widest] = std::max(1, cells[widest] / 2);

@@ -26,17 +26,26 @@ DepthHit closest_of_all(const CornerRuns& corners, const glm::vec3& origin, cons
     V best = hn::Set(d, ray.depth_max);
     auto best_group = hn::Set(du, no_triangle);
 
+    const auto run = [&](int which, int axis) {
+        return corners.data + static_cast<std::size_t>(3 * which + axes[axis]) * corners.padded;
+    };
     const auto corner = [&](int which, std::size_t first) {
         V axis[3];
-        for (int i = 0; i < 3; ++i) {
-            const float* run = corners.data + static_cast<std::size_t>(3 * which + axes[i]) * corners.padded;
-            axis[i] = hn::Sub(hn::Load(d, run + first), hn::Set(d, origin[axes[i]]));
-        }
+        for (int i = 0; i < 3; ++i)
+            axis[i] = hn::Sub(hn::Load(d, run(which, i) + first), hn::Set(d, origin[axes[i]]));
         return Vec3<V>{axis[0], axis[1], axis[2]};
+    };
+    const auto framed_corner = [&](int which, std::size_t triangle) {
+        return FramedPoint{.k = run(which, 0)[triangle] - origin[axes[0]],
+                           .u = run(which, 1)[triangle] - origin[axes[1]],
+                           .v = run(which, 2)[triangle] - origin[axes[2]]};
     };
     for (std::size_t first = 0; first < corners.count; first += lanes) {
         const auto edges = edge_functions(d, corner(0, first), corner(1, first), corner(2, first), sign);
-        const auto met = meet(d, edges, slope_u, slope_v);
+        const auto met = meet(d, edges, slope_u, slope_v, [&](std::size_t lane) {
+            return meet_in_double(framed_corner(0, first + lane), framed_corner(1, first + lane),
+                                  framed_corner(2, first + lane), ray.axes.sign(), ray.slope_u, ray.slope_v);
+        });
         const auto closer =
             hn::And(met.inside, hn::And(hn::Gt(met.depth, depth_min), hn::Lt(met.depth, best)));
         best = hn::IfThenElse(closer, met.depth, best);

@@ -2,6 +2,7 @@
 // Up to 256 rays from one origin along one axis, in 16 blocks of 16.
 
 #include "traversal/ray_frame.h"
+#include "traversal/rounding.h"
 
 #include <glm/vec3.hpp>
 
@@ -14,10 +15,6 @@ namespace gridreel::traversal {
 inline constexpr std::size_t rays_per_block = 16;
 inline constexpr std::size_t blocks_per_packet = 16;
 inline constexpr std::size_t rays_per_packet = rays_per_block * blocks_per_packet;
-
-/// Eight roundings of a float. Edge functions of rays with slopes up to 1 err by less than this times the
-/// normal's components; bounds over many rays are widened by it, so culling never drops what a ray would hit.
-inline constexpr float rounding_margin = 0x1p-21f;
 
 /// Rays of one frame (`Axes`) with a common origin, block after block; lanes beyond `ray_count` repeat a ray
 /// and can hit nothing. Depths as in `RayFrame`.

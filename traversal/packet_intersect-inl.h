@@ -61,15 +61,22 @@ HWY_INLINE Frustum frustum_of(const Packet& packet, unsigned active) {
     return hull;
 }
 
+inline constexpr int plane_row = 3;
+
 /// The edge functions of 16 triangles, triangle by triangle.
 struct alignas(64) EdgeTable {
-    float k[3][group], u[3][group], v[3][group];
-    float volume[group], depth_min[group], depth_max[group];
+    float k[4][group], u[4][group], v[4][group];  // three edges, then the plane
+    float volume[group], error[group], sure[group], depth_min[group], depth_max[group];
 };
 
 /// The corners of 16 triangles relative to the packet's origin, in the order K, U, V.
 struct alignas(64) CornerTable {
     float axis[3][3][group];  // corner, axis, triangle
+
+    [[nodiscard]] FramedPoint point(int corner, int triangle) const {
+        return {
+            .k = axis[corner][0][triangle], .u = axis[corner][1][triangle], .v = axis[corner][2][triangle]};
+    }
 };
 
 HWY_INLINE void gather(const GridScene& scene, const Packet& packet, const std::uint32_t* triangles,
@@ -90,15 +97,15 @@ HWY_INLINE void gather(const GridScene& scene, const Packet& packet, const std::
 /// greatest value is at a corner of the bounds. No division, so nothing behind the origin confuses it.
 HWY_INLINE hn::Mask<LaneTag> may_be_inside(LaneTag d, const EdgeFunctions<Lanes>& edges, Lanes centre_u,
                                            Lanes half_u, Lanes centre_v, Lanes half_v) {
-    const Lanes margin = hn::Set(d, rounding_margin);
-    auto inside = hn::Gt(edges.volume, hn::Zero(d));
+    // Once for the ray's doubt, once for the roundings here.
+    const Lanes least = hn::Neg(hn::Add(edges.error, edges.error));
+    auto inside = hn::Ge(edges.depth_max, hn::Zero(d));
     for (const Vec3<Lanes>& n : edges.normal) {
-        Lanes greatest = hn::MulAdd(margin, hn::Abs(n.k), n.k);
-        greatest = hn::MulAdd(centre_u, n.u, greatest);
+        Lanes greatest = hn::MulAdd(centre_u, n.u, n.k);
         greatest = hn::MulAdd(centre_v, n.v, greatest);
         greatest = hn::MulAdd(half_u, hn::Abs(n.u), greatest);
         greatest = hn::MulAdd(half_v, hn::Abs(n.v), greatest);
-        inside = hn::And(inside, hn::Ge(greatest, hn::Zero(d)));
+        inside = hn::And(inside, hn::Ge(greatest, least));
     }
     return inside;
 }
@@ -120,12 +127,16 @@ HWY_INLINE unsigned cull_by_frustum(const CornerTable& corners, float sign, cons
         const auto in_reach = hn::And(hn::Le(edges.depth_min, hn::Set(d, frustum.far_depth)),
                                       hn::Ge(edges.depth_max, hn::Set(d, frustum.near_depth)));
         survivors |= bits_of(d, hn::And(inside, in_reach)) << first;
-        for (int edge = 0; edge < 3; ++edge) {
-            hn::Store(edges.normal[edge].k, d, table.k[edge] + first);
-            hn::Store(edges.normal[edge].u, d, table.u[edge] + first);
-            hn::Store(edges.normal[edge].v, d, table.v[edge] + first);
-        }
+        const auto store = [&](const Vec3<Lanes>& normal, int row) {
+            hn::Store(normal.k, d, table.k[row] + first);
+            hn::Store(normal.u, d, table.u[row] + first);
+            hn::Store(normal.v, d, table.v[row] + first);
+        };
+        for (int edge = 0; edge < 3; ++edge) store(edges.normal[edge], edge);
+        store(edges.plane, plane_row);
         hn::Store(edges.volume, d, table.volume + first);
+        hn::Store(edges.error, d, table.error + first);
+        hn::Store(edges.sure, d, table.sure + first);
         hn::Store(edges.depth_min, d, table.depth_min + first);
         hn::Store(edges.depth_max, d, table.depth_max + first);
     }
@@ -135,11 +146,15 @@ HWY_INLINE unsigned cull_by_frustum(const CornerTable& corners, float sign, cons
 HWY_INLINE EdgeFunctions<Lanes> broadcast(const EdgeTable& table, int triangle) {
     const LaneTag d;
     EdgeFunctions<Lanes> edges;
-    for (int edge = 0; edge < 3; ++edge) {
-        edges.normal[edge] = {hn::Set(d, table.k[edge][triangle]), hn::Set(d, table.u[edge][triangle]),
-                              hn::Set(d, table.v[edge][triangle])};
-    }
+    const auto row_of = [&](int row) {
+        return Vec3<Lanes>{hn::Set(d, table.k[row][triangle]), hn::Set(d, table.u[row][triangle]),
+                           hn::Set(d, table.v[row][triangle])};
+    };
+    for (int edge = 0; edge < 3; ++edge) edges.normal[edge] = row_of(edge);
+    edges.plane = row_of(plane_row);
     edges.volume = hn::Set(d, table.volume[triangle]);
+    edges.error = hn::Set(d, table.error[triangle]);
+    edges.sure = hn::Set(d, table.sure[triangle]);
     edges.depth_min = hn::Set(d, table.depth_min[triangle]);
     edges.depth_max = hn::Set(d, table.depth_max[triangle]);
     return edges;
@@ -162,17 +177,22 @@ HWY_INLINE unsigned blocks_that_may_hit(const Packet& packet, const EdgeFunction
 
 /// One triangle against the rays of one block. Equal depths go to the lower index, whatever the order of
 /// tests.
+/// @param corner  the triangle's corners, for what the edge functions leave in doubt
 template <Wanted wanted>
-HWY_INLINE void intersect_block(Packet& packet, const EdgeFunctions<Lanes>& edges, std::uint32_t triangle,
-                                int block) {
+HWY_INLINE void intersect_block(Packet& packet, const EdgeFunctions<Lanes>& edges,
+                                const FramedPoint (&corner)[3], std::uint32_t triangle, int block) {
     const LaneTag d;
     const hn::RebindToUnsigned<LaneTag> du;
     const auto index = hn::Set(du, triangle);
     bool changed = false;
     const std::size_t begin = static_cast<std::size_t>(block) * rays_per_block;
     for (std::size_t first = begin; first < begin + rays_per_block; first += hn::Lanes(d)) {
-        const auto met =
-            meet(d, edges, hn::Load(d, packet.slope_u + first), hn::Load(d, packet.slope_v + first));
+        const float* slope_u = packet.slope_u + first;
+        const float* slope_v = packet.slope_v + first;
+        const auto met = meet(d, edges, hn::Load(d, slope_u), hn::Load(d, slope_v), [&](std::size_t lane) {
+            return meet_in_double(corner[0], corner[1], corner[2], packet.axes.sign(), slope_u[lane],
+                                  slope_v[lane]);
+        });
         const Lanes best = hn::Load(d, packet.depth + first);
         const auto held = hn::Load(du, packet.triangle + first);
         const auto wins_tie = hn::And(hn::Eq(met.depth, best), hn::RebindMask(d, hn::Lt(index, held)));
@@ -209,11 +229,12 @@ void intersect(const GridScene& scene, Packet& packet, unsigned& active, const F
         for (; survivors != 0; survivors &= survivors - 1) {
             const int i = std::countr_zero(survivors);
             const auto edges = broadcast(table, i);
+            const FramedPoint corner[3] = {corners.point(0, i), corners.point(1, i), corners.point(2, i)};
             unsigned blocks = blocks_that_may_hit(packet, edges) & active;
             report.triangle_tests += static_cast<std::uint64_t>(std::popcount(blocks)) * rays_per_block;
             for (; blocks != 0; blocks &= blocks - 1) {
                 const int block = std::countr_zero(blocks);
-                intersect_block<wanted>(packet, edges, triangles[i], block);
+                intersect_block<wanted>(packet, edges, corner, triangles[i], block);
                 if (packet.far_depth[block] < 0.0f) active &= ~(1u << block);
             }
         }

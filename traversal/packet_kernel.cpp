@@ -78,7 +78,7 @@ public:
             // A hit in an earlier slice is final, one in this or a later slice is not yet.
             const double from = std::max(double(frustum.near_depth), first_plane_ + slice * slice_depth_);
             const double to = first_plane_ + (slice + 1) * slice_depth_;
-            if (from > double(frustum.far_depth)) break;
+            if (from > double(frustum.far_depth) * (1.0 + depth_error)) break;
 
             const Interval u = reach(double(frustum.centre_u) - double(frustum.half_u),
                                      double(frustum.centre_u) + double(frustum.half_u), from, to);

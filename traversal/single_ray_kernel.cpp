@@ -42,17 +42,18 @@ private:
 class LaneRay {
 public:
     LaneRay(const glm::vec3& origin, const RayFrame& ray)
-        : origin_(origin), axes_{ray.axes.k, ray.axes.u(), ray.axes.v()} {
-        sign_ = ray.axes.sign();
-        slope_u_ = ray.slope_u;
-        slope_v_ = ray.slope_v;
-    }
+        : origin_(origin), ray_(ray), axes_{ray.axes.k, ray.axes.u(), ray.axes.v()} {}
 
     /// Depth of the hit, or NaN.
     [[nodiscard]] float meet_triangle(const GridScene& scene, std::uint32_t triangle) const {
-        const auto edges = edge_functions(lane, corner(scene, triangle, 0), corner(scene, triangle, 1),
-                                          corner(scene, triangle, 2), hn::Set(lane, sign_));
-        const auto met = meet(lane, edges, hn::Set(lane, slope_u_), hn::Set(lane, slope_v_));
+        const FramedPoint a = corner(scene, triangle, 0), b = corner(scene, triangle, 1),
+                          c = corner(scene, triangle, 2);
+        const auto edges =
+            edge_functions(lane, in_lane(a), in_lane(b), in_lane(c), hn::Set(lane, ray_.axes.sign()));
+        const auto met =
+            meet(lane, edges, hn::Set(lane, ray_.slope_u), hn::Set(lane, ray_.slope_v), [&](std::size_t) {
+                return meet_in_double(a, b, c, ray_.axes.sign(), ray_.slope_u, ray_.slope_v);
+            });
         return hn::GetLane(hn::IfThenElse(met.inside, met.depth, hn::NaN(lane)));
     }
 
@@ -60,18 +61,20 @@ private:
     static constexpr hn::CappedTag<float, 1> lane{};
     using V = hn::Vec<hn::CappedTag<float, 1>>;
 
-    [[nodiscard]] Vec3<V> corner(const GridScene& scene, std::uint32_t triangle, int which) const {
+    [[nodiscard]] FramedPoint corner(const GridScene& scene, std::uint32_t triangle, int which) const {
         const glm::vec3& p = scene.corner(triangle, which);
-        return {hn::Set(lane, p[axes_[0]] - origin_[axes_[0]]),
-                hn::Set(lane, p[axes_[1]] - origin_[axes_[1]]),
-                hn::Set(lane, p[axes_[2]] - origin_[axes_[2]])};
+        return {.k = p[axes_[0]] - origin_[axes_[0]],
+                .u = p[axes_[1]] - origin_[axes_[1]],
+                .v = p[axes_[2]] - origin_[axes_[2]]};
+    }
+
+    [[nodiscard]] static Vec3<V> in_lane(const FramedPoint& p) {
+        return {hn::Set(lane, p.k), hn::Set(lane, p.u), hn::Set(lane, p.v)};
     }
 
     glm::vec3 origin_;
+    RayFrame ray_;
     std::array<int, 3> axes_;
-    float sign_ = 1.0f;
-    float slope_u_ = 0.0f;
-    float slope_v_ = 0.0f;
 };
 
 template <Wanted wanted>
@@ -95,7 +98,7 @@ DepthHit walk(const GridScene& scene, const glm::vec3& origin, const RayFrame& r
             if (wanted == Wanted::any) return hit;
         }
         // A hit beyond this cell is kept, but a nearer one may wait in the cells between.
-        if (double(hit.depth) <= at.exit_depth()) break;
+        if (double(hit.depth) * (1.0 + depth_error) <= at.exit_depth()) break;
     }
     return hit;
 }

@@ -158,7 +158,7 @@ TEST_CASE("triangles as large as the scene make the grid coarser, not endless", 
 }
 
 TEST_CASE("flat, tiny, huge and far scenes get cells of some size", "[rebuild]") {
-    for (const float scale : {1e-10f, 1.0f, 1e10f}) {
+    for (const float scale : {1e-10f, 1.0f, 1e8f}) {
         for (const float far : {0.0f, 1e3f}) {
             Soup triangles = soup(300, 0.1f);
             for (glm::vec3& p : triangles.positions) p = (glm::vec3{p.x, 0.5f, p.z} + far) * scale;

@@ -10,6 +10,7 @@ namespace gridreel::tests {
 namespace {
 
 using traversal::HitBatch;
+using traversal::make_tracer;
 using traversal::OcclusionBatch;
 using traversal::RayBatch;
 using traversal::TracerKind;

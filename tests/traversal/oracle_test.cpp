@@ -1,5 +1,6 @@
 // Every tracer against the naive one, on everything nasty.
 
+#include "reference_intersection.h"
 #include "test_rays.h"
 #include "test_triangles.h"
 #include "traversal/simd_target.h"
@@ -9,6 +10,7 @@
 
 #include <tbb/task_arena.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -17,6 +19,7 @@ namespace gridreel::tests {
 namespace {
 
 using traversal::HitBatch;
+using traversal::make_tracer;
 using traversal::OcclusionBatch;
 using traversal::RayBatch;
 using traversal::Tracer;
@@ -130,7 +133,11 @@ TEST_CASE("targets with fused multiply-add agree bit for bit, others within roun
         for (std::size_t i = 0; i < rays.size(); ++i) {
             disagreements += best.triangle[i] != other.triangle[i];
             if (best.triangle[i] == other.triangle[i] && best.triangle[i] != traversal::no_triangle) {
-                CHECK(other.t[i] == Approx(best.t[i]).epsilon(1e-5));
+                // Rounding is magnified where the triangle is seen at a low angle.
+                const auto exact = intersect(triangles, best.triangle[i], glm::dvec3{rays.origin_of(i)},
+                                             glm::dvec3{rays.direction_of(i)});
+                REQUIRE(exact);
+                CHECK(std::fabs(double(other.t[i]) / double(best.t[i]) - 1.0) < 1e-6 / exact->facing);
             }
         }
         CHECK(disagreements <= rays.size() / 1000);

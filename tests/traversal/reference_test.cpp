@@ -15,6 +15,7 @@ namespace gridreel::tests {
 namespace {
 
 using traversal::HitBatch;
+using traversal::make_tracer;
 using traversal::RayBatch;
 using traversal::TracerKind;
 
@@ -38,7 +39,7 @@ void check_clear_hits(const Triangles& triangles, const RayBatch& rays) {
         for (std::uint32_t t = 0; t < triangles.triangles.size(); ++t) {
             const auto hit = intersect(triangles, t, origin, direction);
             if (!hit || hit->inside < -1e-3) continue;
-            doubtful |= std::fabs(hit->inside) < 1e-3 || hit->facing < 1e-2;
+            doubtful |= std::fabs(hit->inside) < 1e-3 || hit->facing < 1e-3;
             if (hit->inside >= 0.0 && (!nearest || hit->t < nearest->t)) nearest = hit;
         }
         if (doubtful) continue;
@@ -47,7 +48,8 @@ void check_clear_hits(const Triangles& triangles, const RayBatch& rays) {
         if (hit != nearest.has_value()) {
             ++wrong;
         } else if (nearest) {
-            imprecise += std::fabs(double(hits.t[i]) / nearest->t - 1.0) > 1e-5;
+            // A few roundings, magnified where the triangle is seen at a low angle.
+            imprecise += std::fabs(double(hits.t[i]) / nearest->t - 1.0) > 5e-7 / nearest->facing;
         }
     }
     CHECK(clear > rays.size() / 4);

@@ -144,16 +144,18 @@ RayBatch pinhole(const glm::vec3& eye, const glm::vec3& target, float half_angle
     const glm::vec3 above = glm::cross(right, forward);
     RayBatch rays;
     rays.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), eye, RayOrder::coherent);
+    // Along the Morton curve: every 16 or 256 rays in a row are a square of pixels.
     std::size_t i = 0;
-    for (int y = 0; y < side; y += 4) {
-        for (int x = 0; x < side; x += 4) {
-            for (int p = 0; p < 16; ++p) {
-                if (x + p % 4 >= side || y + p / 4 >= side) continue;
-                const float u = 2.0f * (float(x + p % 4) + 0.5f) / float(side) - 1.0f;
-                const float v = 2.0f * (float(y + p / 4) + 0.5f) / float(side) - 1.0f;
-                set_ray(rays, i++, forward + half_angle_tan * (u * right + v * above));
-            }
+    for (std::uint32_t code = 0; i < rays.size(); ++code) {
+        int x = 0, y = 0;
+        for (unsigned bit = 0; bit < 15; ++bit) {
+            x |= static_cast<int>(code >> (2 * bit) & 1u) << bit;
+            y |= static_cast<int>(code >> (2 * bit + 1) & 1u) << bit;
         }
+        if (x >= side || y >= side) continue;
+        const float u = 2.0f * (float(x) + 0.5f) / float(side) - 1.0f;
+        const float v = 2.0f * (float(y) + 0.5f) / float(side) - 1.0f;
+        set_ray(rays, i++, forward + half_angle_tan * (u * right + v * above));
     }
     return rays;
 }

@@ -20,7 +20,7 @@ struct NamedRays {
 
 rebuild::Bounds3 finite_bounds(const Triangles& triangles);
 
-/// A square picture of `side` * `side` rays, 4x4 pixels next to each other, from `eye` towards `target`.
+/// A square picture of `side` * `side` rays along the Morton curve, from `eye` towards `target`.
 traversal::RayBatch pinhole(const glm::vec3& eye, const glm::vec3& target, float half_angle_tan, int side);
 
 /// Rays from one point in all directions, in no order.
