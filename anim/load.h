@@ -3,17 +3,25 @@
 
 #include "anim/scene.h"
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 
 namespace gridreel::anim {
 
 /// Reads a `.gltf` (buffers beside it or embedded) or `.glb` file.
 ///
-/// The whole file is validated before anything is built from it: every index, accessor range,
-/// node tree, key order (glTF 2.0, chapter 3). URIs are honoured only inside the file's folder.
+/// Every index, type, count, accessor range, node tree, key time and value of the core specification is
+/// checked (glTF 2.0, chapter 3); a scene comes back only when the whole file is sound. URIs are honoured
+/// only inside the file's folder. Memory is bounded by 512 MiB plus 128 times the bytes read.
 ///
 /// @throws Error naming the file, the JSON pointer of the defect and the remedy, for anything
 ///         malformed, unreadable, or listed in `extensionsRequired` and unsupported
 [[nodiscard]] Scene load(const std::filesystem::path& file);
+
+/// The same for a file whose bytes are at hand.
+///
+/// @param file  its name, for messages and for finding the files beside it
+[[nodiscard]] Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& file);
 
 }  // namespace gridreel::anim

@@ -1,0 +1,126 @@
+#include "anim/gltf/document.h"
+
+#include "anim/error.h"
+#include "anim/gltf/container.h"
+#include "anim/gltf/uri.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+namespace gridreel::anim::gltf {
+namespace {
+
+/// Absent when the file cannot be opened or read to its end.
+std::optional<std::vector<std::byte>> read_bytes(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    std::vector<std::byte> bytes;
+    constexpr std::size_t piece = 1 << 20;
+    while (stream) {
+        const std::size_t size = bytes.size();
+        bytes.resize(size + piece);
+        stream.read(reinterpret_cast<char*>(bytes.data() + size), piece);
+        bytes.resize(size + static_cast<std::size_t>(stream.gcount()));
+    }
+    if (!stream.eof()) return {};
+    bytes.shrink_to_fit();
+    return bytes;
+}
+
+}  // namespace
+
+std::vector<std::byte> read_whole_file(const std::filesystem::path& path) {
+    const auto name = path.string();
+    std::error_code failed;
+    const auto status = std::filesystem::status(path, failed);
+    if (!std::filesystem::exists(status)) throw Error("there is no such file", name, "check the path");
+    if (std::filesystem::is_directory(status))
+        throw Error("this is a folder", name, "name a .gltf or .glb file in it");
+    auto bytes = read_bytes(path);
+    if (!bytes) throw Error("the file cannot be read", name, "check its permissions");
+    return std::move(*bytes);
+}
+
+Document::Document(std::span<const std::byte> bytes, const std::filesystem::path& path)
+    : file_(path.filename().string()), folder_(path.parent_path()) {
+    const Container parts = split_container(bytes, file_);
+    json_ = parse_json(parts.json, file_);
+    binary_ = parts.binary;
+    is_binary_ = parts.is_binary;
+    budget_.add_bytes_read(bytes.size());
+    if (parts.trailing_bytes > 0)
+        warn(root(),
+             fmt::format("{} bytes after the end of the binary glTF are ignored", parts.trailing_bytes));
+}
+
+std::vector<Place> Document::all(std::string_view array) const {
+    std::vector<Place> places;
+    const auto found = root().find(array);
+    for (std::size_t i = 0; found && i < found->size(); ++i) places.push_back((*found)[i]);
+    return places;
+}
+
+void Document::read_buffers() {
+    const auto places = all("buffers");
+    owned_.reserve(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Place& place = places[i];
+        const std::size_t length = place.at("byteLength").integer();
+
+        std::span<const std::byte> bytes;
+        const auto uri = place.find("uri");
+        if (uri) {
+            if (auto embedded = decode_data_uri(uri->text(), *uri)) {
+                owned_.push_back(std::move(embedded->bytes));
+            } else if (auto beside = read_file(uri->text(), *uri)) {
+                owned_.push_back(std::move(*beside));
+            } else {
+                uri->refuse(fmt::format("the buffer's file \"{}\" cannot be read", uri->text()),
+                            "put it beside the model");
+            }
+            bytes = owned_.back();
+        } else if (i == 0 && is_binary_) {
+            bytes = binary_;
+        }
+
+        // A buffer without a source is a defect only when something reads it.
+        if (bytes.size() < length && (uri || !bytes.empty()))
+            place.refuse(fmt::format("the buffer states {} bytes but there are {}", length, bytes.size()),
+                         "the data is cut short: fetch or export it again");
+        buffers_.push_back(bytes.first(std::min(length, bytes.size())));
+    }
+    accessors_ = resolve_accessors(root(), buffers_);
+}
+
+std::span<const std::byte> Document::view(Index buffer_view) const {
+    return view_bytes(root(), buffer_view, buffers_);
+}
+
+std::optional<std::vector<std::byte>> Document::read_file(std::string_view uri, const Place& place) {
+    const auto path = resolve_uri(uri, folder_, place);
+    std::error_code failed;
+    if (!std::filesystem::is_regular_file(path, failed)) return {};
+
+    // One file read many times is paid for; the first time it counts as part of the model.
+    const std::size_t size = std::filesystem::file_size(path, failed);
+    if (failed) return {};
+    if (files_read_.insert(path).second)
+        budget_.add_bytes_read(size);
+    else
+        budget_.spend(size, place);
+    return read_bytes(path);
+}
+
+std::vector<float> Document::floats(Index accessor, const Place& place) {
+    const Accessor& source = accessors_[accessor];
+    budget_.spend(source.count * source.element.components() * sizeof(float), place);
+    return read_floats(source);
+}
+
+std::vector<std::uint32_t> Document::integers(Index accessor, const Place& place) {
+    const Accessor& source = accessors_[accessor];
+    budget_.spend(source.count * source.element.components() * sizeof(std::uint32_t), place);
+    return read_integers(source);
+}
+
+}  // namespace gridreel::anim::gltf

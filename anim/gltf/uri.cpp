@@ -1,0 +1,141 @@
+#include "anim/gltf/uri.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <string>
+
+namespace gridreel::anim::gltf {
+namespace {
+
+constexpr auto copy_beside = "copy the file beside the model and name it by a relative URI";
+
+constexpr std::array<std::int8_t, 256> base64_digits = [] {
+    std::array<std::int8_t, 256> table{};
+    table.fill(-1);
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (std::size_t i = 0; i < digits.size(); ++i)
+        table[static_cast<unsigned char>(digits[i])] = static_cast<std::int8_t>(i);
+    return table;
+}();
+
+/// RFC 4648, section 4; the padding may be missing.
+std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
+    for (int padding = 0; padding < 2 && text.ends_with('='); ++padding) text.remove_suffix(1);
+    if (text.size() % 4 == 1) return {};
+
+    std::vector<std::byte> bytes;
+    bytes.reserve(text.size() * 3 / 4);
+    std::uint32_t bits = 0;
+    int bit_count = 0;
+    for (const char c : text) {
+        const std::int8_t digit = base64_digits[static_cast<unsigned char>(c)];
+        if (digit < 0) return {};
+        bits = (bits << 6 | static_cast<std::uint32_t>(digit)) & 0xffffu;
+        bit_count += 6;
+        if (bit_count >= 8) {
+            bit_count -= 8;
+            bytes.push_back(static_cast<std::byte>(bits >> bit_count & 0xffu));
+        }
+    }
+    return bytes;
+}
+
+std::optional<int> hex_digit(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return {};
+}
+
+/// RFC 3986, section 2.1.
+std::string percent_decode(std::string_view uri, const Place& place) {
+    std::string text;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        if (uri[i] != '%') {
+            text += uri[i];
+            continue;
+        }
+        const auto high = i + 1 < uri.size() ? hex_digit(uri[i + 1]) : std::nullopt;
+        const auto low = i + 2 < uri.size() ? hex_digit(uri[i + 2]) : std::nullopt;
+        if (!high || !low)
+            place.refuse("the URI has a % that no two hexadecimal digits follow", "write a literal % as %25");
+        text += static_cast<char>(*high * 16 + *low);
+        i += 2;
+    }
+    return text;
+}
+
+/// RFC 3986, section 3.1: a letter, then letters, digits, + - . up to the colon.
+bool has_scheme(std::string_view uri) {
+    const auto colon = uri.find(':');
+    if (colon == uri.npos || colon == 0) return false;
+    const auto scheme = uri.substr(0, colon);
+    return std::isalpha(static_cast<unsigned char>(scheme[0])) &&
+           std::all_of(scheme.begin(), scheme.end(),
+                       [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '-' || c == '.'; });
+}
+
+/// Whether a path walks above where it starts, with / or \ between its segments.
+bool climbs_out(std::string_view path) {
+    int depth = 0;
+    while (true) {
+        const auto end = path.find_first_of("/\\");
+        const auto segment = path.substr(0, end);
+        if (segment == "..")
+            --depth;
+        else if (!segment.empty() && segment != ".")
+            ++depth;
+        if (depth < 0) return true;
+        if (end == path.npos) return false;
+        path.remove_prefix(end + 1);
+    }
+}
+
+bool is_inside(const std::filesystem::path& path, const std::filesystem::path& folder) {
+    const auto [folder_end, _] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+    return folder_end == folder.end();
+}
+
+}  // namespace
+
+std::optional<DataUri> decode_data_uri(std::string_view uri, const Place& place) {
+    constexpr std::string_view scheme = "data:", marker = ";base64";
+    if (!uri.starts_with(scheme)) return {};
+    uri.remove_prefix(scheme.size());
+
+    const auto comma = uri.find(',');
+    const auto head = uri.substr(0, comma);
+    if (comma == uri.npos || !head.ends_with(marker))
+        place.refuse("the data URI is not base64-encoded", "write it as data:TYPE;base64,...");
+    auto bytes = decode_base64(uri.substr(comma + 1));
+    if (!bytes) place.refuse("the data URI is not valid base64");
+    return DataUri{.mime_type = head.substr(0, head.find(';')), .bytes = std::move(*bytes)};
+}
+
+std::filesystem::path resolve_uri(std::string_view uri, const std::filesystem::path& folder,
+                                  const Place& place) {
+    if (uri.empty()) place.refuse("the URI is empty");
+    if (has_scheme(uri))
+        place.refuse("the URI has a scheme; only relative URIs and data URIs are read", copy_beside);
+
+    const std::string relative = percent_decode(uri, place);
+    if (relative.find('\0') != relative.npos) place.refuse("the URI holds a zero byte");
+    if (relative.front() == '/' || relative.front() == '\\' || has_scheme(relative))
+        place.refuse("the URI is absolute", copy_beside);
+    if (climbs_out(relative)) place.refuse("the URI leads out of the model's folder", copy_beside);
+
+    // Symbolic links may not lead out either.
+    std::error_code failed;
+    const auto home = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, failed);
+    const auto target = std::filesystem::weakly_canonical(home / relative, failed);
+    if (failed) place.refuse(fmt::format("the URI cannot be followed ({})", failed.message()));
+    if (!is_inside(target, home))
+        place.refuse("the URI leads out of the model's folder through a symbolic link", copy_beside);
+    return target;
+}
+
+}  // namespace gridreel::anim::gltf

@@ -1,0 +1,32 @@
+#pragma once
+// Where a URI of the file leads: embedded bytes, or a file in the same folder, and nowhere else.
+
+#include "anim/gltf/place.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace gridreel::anim::gltf {
+
+/// A `data:` URI taken apart (RFC 2397).
+struct DataUri {
+    std::string_view mime_type;  ///< may be empty; refers to the URI
+    std::vector<std::byte> bytes;
+};
+
+/// The bytes of a base64 `data:` URI; absent when the URI has another form.
+///
+/// @throws Error at `place` for a `data:` URI that is not base64
+[[nodiscard]] std::optional<DataUri> decode_data_uri(std::string_view uri, const Place& place);
+
+/// The file that a relative, percent-encoded URI names.
+///
+/// @param folder  the folder of the glTF file; nothing outside it can be named, through symbolic links either
+/// @throws Error at `place` for schemes, absolute paths and paths that leave `folder`
+[[nodiscard]] std::filesystem::path resolve_uri(std::string_view uri, const std::filesystem::path& folder,
+                                                const Place& place);
+
+}  // namespace gridreel::anim::gltf

@@ -1,0 +1,50 @@
+#include "anim/load.h"
+
+#include "anim/gltf/describe_scene.h"
+#include "anim/gltf/document.h"
+#include "anim/gltf/extensions.h"
+#include "anim/gltf/influences.h"
+#include "anim/gltf/read_animations.h"
+#include "anim/gltf/read_images.h"
+#include "anim/gltf/read_meshes.h"
+#include "anim/gltf/validate.h"
+
+#include <utility>
+
+namespace gridreel::anim {
+namespace {
+
+using namespace gltf;
+
+void validate(Document& document) {
+    check_version_and_extensions(document);
+    const Place root = document.root();
+    validate_shape(root);
+    document.read_buffers();
+    validate_nodes(root, document.accessors());
+    validate_meshes(root, document.accessors());
+    validate_animations(root, document.accessors());
+    validate_cameras_and_lights(root);
+}
+
+}  // namespace
+
+Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& file) {
+    Document document(bytes, file);
+    validate(document);
+
+    Scene scene = describe_scene(document);
+    scene.name = file.stem().string();
+    scene.meshes = read_meshes(document);
+    scene.animations = read_animations(document);
+    scene.images = read_images(document);
+    check_joints_exist(document, scene);
+    scene.warnings = std::move(document.warnings());
+    return scene;
+}
+
+Scene load(const std::filesystem::path& file) {
+    return load_bytes(read_whole_file(file), file);
+}
+
+}  // namespace gridreel::anim
