@@ -3,6 +3,7 @@
 
 #include "anim/scene.h"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -17,9 +18,10 @@ struct Clip {
 
 /// Chooses what plays.
 ///
-/// @param animation  "auto", "all", "none", an animation's name, or its number from 0.
-///                   "auto" plays all when no two animate the same property of a node, else the first.
-/// @param scene      a scene's number, or absent: the file's default
+/// @param animation    "auto", "all", "none", an animation's name, or its number from 0.
+///                     A name wins over a number. "auto" plays all when no two animate the same property of a
+///                     node, else the first.
+/// @param scene_index  a scene's number, or absent: the file's default
 /// @throws Error listing the names there are, when nothing matches
 [[nodiscard]] Clip choose_clip(const Scene& scene, std::string_view animation = "auto",
                                std::optional<Index> scene_index = {});

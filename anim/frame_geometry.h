@@ -2,6 +2,7 @@
 // The world-space triangles of one pose.
 
 #include "anim/clip.h"
+#include "anim/deform_scratch.h"
 #include "anim/pose.h"
 #include "anim/scene.h"
 
@@ -32,11 +33,14 @@ struct Part {
     bool has_colors = false;
 };
 
+/// What the file says of the part.
+[[nodiscard]] const Primitive& primitive_of(const Scene& scene, const Part& part);
+
 /// World-space triangles of one pose, all parts one after another: nodes depth first in file order,
 /// primitives in file order, vertices in accessor order. Buffers are laid out once and reused.
 struct FrameGeometry {
     std::vector<glm::vec3> positions;  ///< world space, metres
-    std::vector<glm::vec3> normals;    ///< world space, unit; zero where a part is not smooth
+    std::vector<glm::vec3> normals;    ///< world space, unit length; zero where a part is not smooth
     std::vector<glm::vec4> tangents;   ///< world space, w handedness; empty when no part has any
     std::array<std::vector<glm::vec2>, 2>
         texcoords;                  ///< per vertex, zero where absent; empty when no part has any
@@ -45,9 +49,11 @@ struct FrameGeometry {
         triangles;  ///< into `positions`; winding as in the file, also under mirrored nodes
     std::vector<std::uint32_t> triangle_part;  ///< into `parts`, one per triangle
     std::vector<Part> parts;
-    std::vector<bool> mirrored;  ///< one per part: its node's matrix has a negative determinant,
-                                 ///< so the front is where the winding is clockwise
-    bool posed = false;          ///< `deform` has run once: still parts are in place
+    std::vector<bool>
+        mirrored;           ///< one per part: its node's matrix (for a skin: most of its joints')
+                            ///< has a negative determinant, so the front is where the winding is clockwise
+    bool posed = false;     ///< `deform` has run once: still parts are in place
+    DeformScratch scratch;  ///< for `deform` alone
 
     [[nodiscard]] std::size_t moving_triangles() const;
 };

@@ -1,0 +1,147 @@
+#include "anim/error.h"
+#include "anim/frame_geometry.h"
+#include "anim/motion.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace gridreel::anim {
+namespace {
+
+Part part_of(const Primitive& primitive) {
+    return {.material = primitive.material,
+            .vertex_count = primitive.positions.size(),
+            .triangle_count = primitive.triangles.size(),
+            .smooth = !primitive.normals.empty(),
+            // Tangents without normals are to be ignored (glTF 2.0, section 3.7.2.1).
+            .has_tangents = !primitive.tangents.empty() && !primitive.normals.empty(),
+            .has_texcoords = {!primitive.texcoords[0].empty(), !primitive.texcoords[1].empty()},
+            .has_colors = !primitive.colors.empty()};
+}
+
+std::vector<Part> list_parts(const Scene& scene, const Clip& clip) {
+    const Motion motion = find_motion(scene, clip);
+    std::vector<Part> parts;
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    for (const Index node : nodes_in_order(scene, clip)) {
+        if (!scene.nodes[node].mesh) continue;
+        const Index mesh = *scene.nodes[node].mesh;
+        const std::vector<Primitive>& primitives = scene.meshes[mesh].primitives;
+        for (Index i = 0; i < primitives.size(); ++i) {
+            Part part = part_of(primitives[i]);
+            part.node = node;
+            part.mesh = mesh;
+            part.primitive = i;
+            part.first_vertex = vertices;
+            part.first_triangle = triangles;
+            part.moves = moves(scene, motion, node, primitives[i]);
+            vertices += part.vertex_count;
+            triangles += part.triangle_count;
+            parts.push_back(part);
+        }
+    }
+    constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
+    if (vertices > most || triangles > most) {
+        throw Error("the scene has more than 2^32 - 1 vertices or triangles", scene.name,
+                    "split it, or use a simpler mesh for its instances");
+    }
+    return parts;
+}
+
+/// Everything that no pose changes: triangles, texture coordinates, colours.
+void fill_constants(const Scene& scene, FrameGeometry& geometry) {
+    for (std::size_t p = 0; p < geometry.parts.size(); ++p) {
+        const Part& part = geometry.parts[p];
+        const Primitive& primitive = primitive_of(scene, part);
+
+        const auto first = static_cast<std::uint32_t>(part.first_vertex);
+        for (std::size_t i = 0; i < part.triangle_count; ++i) {
+            geometry.triangles[part.first_triangle + i] = primitive.triangles[i] + first;
+            geometry.triangle_part[part.first_triangle + i] = static_cast<std::uint32_t>(p);
+        }
+        const auto offset = static_cast<std::ptrdiff_t>(part.first_vertex);
+        for (std::size_t set = 0; set < 2; ++set) {
+            std::copy(primitive.texcoords[set].begin(), primitive.texcoords[set].end(),
+                      geometry.texcoords[set].begin() + (part.has_texcoords[set] ? offset : 0));
+        }
+        std::copy(primitive.colors.begin(), primitive.colors.end(),
+                  geometry.colors.begin() + (part.has_colors ? offset : 0));
+    }
+}
+
+DeformScratch lay_out_scratch(const Scene& scene, const std::vector<Part>& parts) {
+    DeformScratch scratch;
+    std::size_t map_count = 0;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        const Part& part = parts[p];
+        const Node& node = scene.nodes[part.node];
+        const Primitive& primitive = primitive_of(scene, part);
+
+        const std::size_t maps = is_skinned(node, primitive) ? scene.skins[*node.skin].joints.size() : 1;
+        scratch.map_ranges.push_back({.first = map_count, .count = maps});
+        scratch.placements.push_back({.centre = centre_of(primitive.positions)});
+        map_count += maps;
+
+        for (std::size_t first = 0; first < part.vertex_count; first += longest_run) {
+            const VertexRun run{.part = static_cast<Index>(p),
+                                .first = first,
+                                .count = std::min(longest_run, part.vertex_count - first)};
+            scratch.all_runs.push_back(run);
+            if (part.moves) scratch.moving_runs.push_back(run);
+        }
+    }
+    scratch.maps.resize(map_count);
+    scratch.rows.resize(map_count);
+    return scratch;
+}
+
+}  // namespace
+
+const Primitive& primitive_of(const Scene& scene, const Part& part) {
+    return scene.meshes[part.mesh].primitives[part.primitive];
+}
+
+FrameGeometry lay_out(const Scene& scene, const Clip& clip) {
+    FrameGeometry geometry;
+    geometry.parts = list_parts(scene, clip);
+    geometry.mirrored.resize(geometry.parts.size());
+
+    const auto any = [&](auto&& has) {
+        return std::any_of(geometry.parts.begin(), geometry.parts.end(), has);
+    };
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    for (const Part& part : geometry.parts) {
+        vertices += part.vertex_count;
+        triangles += part.triangle_count;
+    }
+    geometry.positions.resize(vertices, glm::vec3{0.0f});
+    geometry.normals.resize(vertices, glm::vec3{0.0f});
+    if (any([](const Part& part) { return part.has_tangents; })) {
+        geometry.tangents.resize(vertices, glm::vec4{0.0f});
+    }
+    for (std::size_t set = 0; set < 2; ++set) {
+        if (any([set](const Part& part) { return part.has_texcoords[set]; })) {
+            geometry.texcoords[set].resize(vertices, glm::vec2{0.0f});
+        }
+    }
+    if (any([](const Part& part) { return part.has_colors; })) {
+        geometry.colors.resize(vertices, glm::vec4{1.0f});
+    }
+    geometry.triangles.resize(triangles);
+    geometry.triangle_part.resize(triangles);
+
+    fill_constants(scene, geometry);
+    geometry.scratch = lay_out_scratch(scene, geometry.parts);
+    return geometry;
+}
+
+std::size_t FrameGeometry::moving_triangles() const {
+    return std::accumulate(parts.begin(), parts.end(), std::size_t{0}, [](std::size_t sum, const Part& part) {
+        return sum + (part.moves ? part.triangle_count : 0);
+    });
+}
+
+}  // namespace gridreel::anim

@@ -1,0 +1,54 @@
+#include "anim/placement.h"
+
+#include "anim/box.h"
+
+#include <glm/matrix.hpp>
+
+#include <cassert>
+#include <cstddef>
+
+namespace gridreel::anim {
+
+glm::vec3 centre_of(std::span<const glm::vec3> positions) {
+    Box box;
+    for (const glm::vec3& position : positions) box.extend(position);
+    return box.empty() ? glm::vec3{0.0f} : glm::vec3{(glm::dvec3{box.min} + glm::dvec3{box.max}) * 0.5};
+}
+
+void find_maps(const Scene& scene, const Pose& pose, const Node& node, Index node_index, bool skinned,
+               std::span<glm::dmat4> maps) {
+    if (!skinned) {
+        maps[0] = pose.world[node_index];
+        return;
+    }
+    const Skin& skin = scene.skins[*node.skin];
+    assert(maps.size() == skin.joints.size() && maps.size() == skin.inverse_bind.size());
+    for (std::size_t joint = 0; joint < maps.size(); ++joint) {
+        maps[joint] = pose.world[skin.joints[joint]] * skin.inverse_bind[joint];
+    }
+}
+
+void round_maps(std::span<const glm::dmat4> maps, Placement& placement, std::span<AffineRows> rows) {
+    assert(!maps.empty() && maps.size() == rows.size());
+    const glm::dvec4 centre{glm::dvec3{placement.centre}, 1.0};
+
+    glm::dvec3 sum{0.0};
+    std::size_t mirroring = 0;
+    for (const glm::dmat4& map : maps) {
+        sum += glm::dvec3{map * centre};
+        if (glm::determinant(glm::dmat3{map}) < 0.0) ++mirroring;
+    }
+    placement.origin = glm::vec3{sum / double(maps.size())};
+    placement.mirrored = 2 * mirroring > maps.size();
+
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const glm::dmat3 linear = glm::transpose(glm::dmat3{maps[i]});
+        const glm::dvec3 offset = glm::dvec3{maps[i] * centre} - glm::dvec3{placement.origin};
+        rows[i] =
+            AffineRows{glm::vec4{glm::dvec4{linear[0], offset.x}}, glm::vec4{glm::dvec4{linear[1], offset.y}},
+                       glm::vec4{glm::dvec4{linear[2], offset.z}}};
+    }
+    placement.directions = direction_map(glm::transpose(glm::dmat3{maps[0]}));
+}
+
+}  // namespace gridreel::anim

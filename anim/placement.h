@@ -1,0 +1,42 @@
+#pragma once
+// A part's transforms of one frame, rounded to float without losing the digits of models that stand far
+// from the origin of their file or of the world.
+
+#include "anim/direction_map.h"
+#include "anim/pose.h"
+#include "anim/scene.h"
+
+#include <glm/mat3x4.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <span>
+
+namespace gridreel::anim {
+
+/// An affine map as three rows (linear part, offset), so that `vec4{x, 1} * rows` applies it.
+using AffineRows = glm::mat3x4;
+
+/// How a part's vertices get into the world. A file position p becomes
+///     origin + (sum over its joints of weight * rows[joint]) applied to (p - centre)
+/// and a rigid part has one joint. Both p - centre and the sum are about as small as the part itself.
+struct Placement {
+    glm::vec3 centre{0.0f};     ///< middle of the primitive's box in the file; the same every frame
+    glm::vec3 origin{0.0f};     ///< mean of where the joints take `centre`, metres
+    DirectionMap directions{};  ///< of a rigid part; a skinned one has its own at every vertex
+    bool mirrored = false;      ///< the map, or most joints of the skin, have a negative determinant
+};
+
+/// Middle of the box of all finite positions; zero when there are none.
+[[nodiscard]] glm::vec3 centre_of(std::span<const glm::vec3> positions);
+
+/// From the file's space to the world: one matrix per joint, or the node's own for a rigid part.
+///
+/// @param maps  as many as the skin has joints, or one
+void find_maps(const Scene& scene, const Pose& pose, const Node& node, Index node_index, bool skinned,
+               std::span<glm::dmat4> maps);
+
+/// Rounds `maps` about `placement.centre`: fills `rows` (as many) and the rest of `placement`.
+void round_maps(std::span<const glm::dmat4> maps, Placement& placement, std::span<AffineRows> rows);
+
+}  // namespace gridreel::anim
