@@ -1,6 +1,5 @@
 #include "anim/frame_geometry.h"
 #include "anim/morph.h"
-#include "anim/motion.h"
 #include "anim/placement.h"
 #include "anim/vertex_transform.h"
 
@@ -12,13 +11,26 @@
 namespace gridreel::anim {
 namespace {
 
-void place_part(const Scene& scene, const Pose& pose, const Part& part, const MapRange& range,
-                DeformScratch& scratch, Placement& placement) {
-    const Node& node = scene.nodes[part.node];
-    const auto maps = std::span{scratch.maps}.subspan(range.first, range.count);
-    const auto rows = std::span{scratch.rows}.subspan(range.first, range.count);
-    find_maps(scene, pose, node, part.node, is_skinned(node, primitive_of(scene, part)), maps);
-    round_maps(maps, placement, rows);
+/// From the file's space to the world: one map per joint, or the node's own (glTF 2.0, section 3.7.3.3).
+void find_maps(const Scene& scene, const Pose& pose, const Part& part, std::span<glm::dmat4> maps) {
+    if (!part.skinned) {
+        maps[0] = pose.world[part.node];
+        return;
+    }
+    const Skin& skin = scene.skins[*scene.nodes[part.node].skin];
+    assert(maps.size() == skin.joints.size() && maps.size() == skin.inverse_bind.size());
+    for (std::size_t joint = 0; joint < maps.size(); ++joint) {
+        maps[joint] = pose.world[skin.joints[joint]] * skin.inverse_bind[joint];
+    }
+}
+
+void place_part(const Scene& scene, const Pose& pose, std::size_t index, FrameGeometry& geometry) {
+    DeformScratch& scratch = geometry.scratch;
+    const auto [first, count] = scratch.map_ranges[index];
+    const auto maps = std::span{scratch.maps}.subspan(first, count);
+    const auto rows = std::span{scratch.rows}.subspan(first, count);
+    find_maps(scene, pose, geometry.parts[index], maps);
+    round_maps(maps, scratch.placements[index], rows);
 }
 
 /// The run's vertices: the file's shape, morphed, then carried into the world.
@@ -26,9 +38,8 @@ void deform_run(const Scene& scene, const Pose& pose, const VertexRun& run, Fram
     const Part& part = geometry.parts[run.part];
     const Primitive& primitive = primitive_of(scene, part);
     const Placement& placement = geometry.scratch.placements[run.part];
-    const MapRange& range = geometry.scratch.map_ranges[run.part];
-    const std::span<const AffineRows> rows =
-        std::span{geometry.scratch.rows}.subspan(range.first, range.count);
+    const auto [first_map, map_count] = geometry.scratch.map_ranges[run.part];
+    const std::span<const AffineRows> rows = std::span{geometry.scratch.rows}.subspan(first_map, map_count);
 
     // Where the run lives in the frame.
     const std::size_t begin = part.first_vertex + run.first;
@@ -43,7 +54,7 @@ void deform_run(const Scene& scene, const Pose& pose, const VertexRun& run, Fram
     if (part.has_tangents) morph_tangents(primitive, weights, run.first, vertices.tangents);
 
     // Place.
-    if (is_skinned(scene.nodes[part.node], primitive)) {
+    if (part.skinned) {
         transform_skinned(placement, rows, primitive.influences, run.first, vertices);
     } else {
         transform_rigid(placement, rows[0], vertices);
@@ -59,10 +70,7 @@ void deform(const Scene& scene, const Pose& pose, FrameGeometry& geometry) {
 
     // Transforms, part by part.
     tbb::parallel_for(std::size_t{0}, geometry.parts.size(), [&](std::size_t p) {
-        const Part& part = geometry.parts[p];
-        if (touched(part)) {
-            place_part(scene, pose, part, scratch.map_ranges[p], scratch, scratch.placements[p]);
-        }
+        if (touched(geometry.parts[p])) place_part(scene, pose, p, geometry);
     });
     // One after another: neighbours in a vector<bool> share a byte.
     for (std::size_t p = 0; p < geometry.parts.size(); ++p) {

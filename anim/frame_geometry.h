@@ -26,8 +26,9 @@ struct Part {
     std::optional<Index> material;
     std::size_t first_vertex = 0, vertex_count = 0;
     std::size_t first_triangle = 0, triangle_count = 0;
-    bool moves = false;   ///< its vertices can differ between two times of the clip
-    bool smooth = false;  ///< has vertex normals; otherwise shade with the triangle's own
+    bool skinned = false;  ///< joints place its vertices, and its node's own matrix is ignored
+    bool moves = false;    ///< its vertices can differ between two times of the clip
+    bool smooth = false;   ///< has vertex normals; otherwise shade with the triangle's own
     bool has_tangents = false;
     std::array<bool, 2> has_texcoords{};
     bool has_colors = false;
@@ -42,16 +43,15 @@ struct FrameGeometry {
     std::vector<glm::vec3> positions;  ///< world space, metres
     std::vector<glm::vec3> normals;    ///< world space, unit length; zero where a part is not smooth
     std::vector<glm::vec4> tangents;   ///< world space, w handedness; empty when no part has any
-    std::array<std::vector<glm::vec2>, 2>
-        texcoords;                  ///< per vertex, zero where absent; empty when no part has any
-    std::vector<glm::vec4> colors;  ///< per vertex, white where absent; empty when no part has any
-    std::vector<glm::uvec3>
-        triangles;  ///< into `positions`; winding as in the file, also under mirrored nodes
+    /// Per vertex, zero where absent; empty when no part has any.
+    std::array<std::vector<glm::vec2>, 2> texcoords;
+    std::vector<glm::vec4> colors;             ///< per vertex, white where absent; empty when no part has any
+    std::vector<glm::uvec3> triangles;         ///< into `positions`; wound as in the file, mirrored or not
     std::vector<std::uint32_t> triangle_part;  ///< into `parts`, one per triangle
     std::vector<Part> parts;
-    std::vector<bool>
-        mirrored;           ///< one per part: its node's matrix (for a skin: most of its joints')
-                            ///< has a negative determinant, so the front is where the winding is clockwise
+    /// One per part: its node's matrix (of a skinned part, most of its joints') has a negative
+    /// determinant, so the front is where the winding is clockwise.
+    std::vector<bool> mirrored;
     bool posed = false;     ///< `deform` has run once: still parts are in place
     DeformScratch scratch;  ///< for `deform` alone
 

@@ -36,6 +36,7 @@ std::vector<Part> list_parts(const Scene& scene, const Clip& clip) {
             part.primitive = i;
             part.first_vertex = vertices;
             part.first_triangle = triangles;
+            part.skinned = is_skinned(scene.nodes[node], primitives[i]);
             part.moves = moves(scene, motion, node, primitives[i]);
             vertices += part.vertex_count;
             triangles += part.triangle_count;
@@ -76,12 +77,9 @@ DeformScratch lay_out_scratch(const Scene& scene, const std::vector<Part>& parts
     std::size_t map_count = 0;
     for (std::size_t p = 0; p < parts.size(); ++p) {
         const Part& part = parts[p];
-        const Node& node = scene.nodes[part.node];
-        const Primitive& primitive = primitive_of(scene, part);
-
-        const std::size_t maps = is_skinned(node, primitive) ? scene.skins[*node.skin].joints.size() : 1;
+        const std::size_t maps = part.skinned ? scene.skins[*scene.nodes[part.node].skin].joints.size() : 1;
         scratch.map_ranges.push_back({.first = map_count, .count = maps});
-        scratch.placements.push_back({.centre = centre_of(primitive.positions)});
+        scratch.placements.push_back({.centre = centre_of(primitive_of(scene, part).positions)});
         map_count += maps;
 
         for (std::size_t first = 0; first < part.vertex_count; first += longest_run) {

@@ -6,12 +6,13 @@
 namespace gridreel::anim {
 namespace {
 
-glm::vec3 lengthened(const glm::vec3& displacement, glm::vec3) {
-    return displacement;
+void displace(glm::vec3& vector, const glm::vec3& by) {
+    vector += by;
 }
 
-glm::vec4 lengthened(const glm::vec3& displacement, glm::vec4) {
-    return {displacement, 0.0f};
+/// A tangent: its w is no length.
+void displace(glm::vec4& vector, const glm::vec3& by) {
+    vector += glm::vec4{by, 0.0f};
 }
 
 /// Adds the attribute that `displacements` names of every target, where the target has it.
@@ -19,13 +20,13 @@ template <class Vector>
 void add_targets(const Primitive& primitive, std::span<const float> weights,
                  std::vector<glm::vec3> MorphTarget::*displacements, std::size_t first,
                  std::span<Vector> out) {
-    assert(primitive.targets.size() == weights.size() || primitive.targets.empty());
+    assert(primitive.targets.size() == weights.size());
     for (std::size_t i = 0; i < primitive.targets.size(); ++i) {
         const std::vector<glm::vec3>& all = primitive.targets[i].*displacements;
         const float weight = weights[i];
         if (all.empty() || weight == 0.0f) continue;
         const std::span<const glm::vec3> run = std::span{all}.subspan(first, out.size());
-        for (std::size_t v = 0; v < out.size(); ++v) out[v] += weight * lengthened(run[v], Vector{});
+        for (std::size_t v = 0; v < out.size(); ++v) displace(out[v], weight * run[v]);
     }
 }
 

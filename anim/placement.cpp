@@ -15,19 +15,6 @@ glm::vec3 centre_of(std::span<const glm::vec3> positions) {
     return box.empty() ? glm::vec3{0.0f} : glm::vec3{(glm::dvec3{box.min} + glm::dvec3{box.max}) * 0.5};
 }
 
-void find_maps(const Scene& scene, const Pose& pose, const Node& node, Index node_index, bool skinned,
-               std::span<glm::dmat4> maps) {
-    if (!skinned) {
-        maps[0] = pose.world[node_index];
-        return;
-    }
-    const Skin& skin = scene.skins[*node.skin];
-    assert(maps.size() == skin.joints.size() && maps.size() == skin.inverse_bind.size());
-    for (std::size_t joint = 0; joint < maps.size(); ++joint) {
-        maps[joint] = pose.world[skin.joints[joint]] * skin.inverse_bind[joint];
-    }
-}
-
 void round_maps(std::span<const glm::dmat4> maps, Placement& placement, std::span<AffineRows> rows) {
     assert(!maps.empty() && maps.size() == rows.size());
     const glm::dvec4 centre{glm::dvec3{placement.centre}, 1.0};

@@ -3,8 +3,6 @@
 // from the origin of their file or of the world.
 
 #include "anim/direction_map.h"
-#include "anim/pose.h"
-#include "anim/scene.h"
 
 #include <glm/mat3x4.hpp>
 #include <glm/mat4x4.hpp>
@@ -30,13 +28,9 @@ struct Placement {
 /// Middle of the box of all finite positions; zero when there are none.
 [[nodiscard]] glm::vec3 centre_of(std::span<const glm::vec3> positions);
 
-/// From the file's space to the world: one matrix per joint, or the node's own for a rigid part.
-///
-/// @param maps  as many as the skin has joints, or one
-void find_maps(const Scene& scene, const Pose& pose, const Node& node, Index node_index, bool skinned,
-               std::span<glm::dmat4> maps);
-
 /// Rounds `maps` about `placement.centre`: fills `rows` (as many) and the rest of `placement`.
+///
+/// @param maps  affine, from the file's space to the world: one per joint, or the node's own; at least one
 void round_maps(std::span<const glm::dmat4> maps, Placement& placement, std::span<AffineRows> rows);
 
 }  // namespace gridreel::anim
