@@ -34,7 +34,7 @@ bool has_direction(const glm::vec3& v) {
 /// Scaled before squaring, so that tiny and huge vectors keep their direction.
 glm::vec3 unit(const glm::vec3& v) {
     const glm::vec3 scaled = v / largest_component(v);
-    return scaled / std::sqrt(glm::dot(scaled, scaled));
+    return scaled * (1.0f / std::sqrt(glm::dot(scaled, scaled)));
 }
 
 /// What every normal that has a direction at all is mapped to when space is flattened onto a plane.
