@@ -15,20 +15,33 @@ namespace {
 std::atomic<bool> counting = false;
 std::atomic<int> allocations = 0;
 
-void* allocate(std::size_t size) {
+void* allocate(std::size_t size) noexcept {
     if (counting) ++allocations;
-    void* memory = std::malloc(size == 0 ? 1 : size);
+    return std::malloc(size == 0 ? 1 : size);
+}
+
+void* allocate_or_throw(std::size_t size) {
+    void* memory = allocate(size);
     if (memory == nullptr) throw std::bad_alloc();
     return memory;
 }
 
 }  // namespace
 
+// The whole family, for sanitizers want memory freed by the partner of what allocated it.
 void* operator new(std::size_t size) {
-    return allocate(size);
+    return allocate_or_throw(size);
 }
 
 void* operator new[](std::size_t size) {
+    return allocate_or_throw(size);
+}
+
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return allocate(size);
+}
+
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
     return allocate(size);
 }
 
@@ -36,15 +49,23 @@ void operator delete(void* memory) noexcept {
     std::free(memory);
 }
 
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-
 void operator delete[](void* memory) noexcept {
     std::free(memory);
 }
 
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
 void operator delete[](void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+void operator delete(void* memory, const std::nothrow_t&) noexcept {
+    std::free(memory);
+}
+
+void operator delete[](void* memory, const std::nothrow_t&) noexcept {
     std::free(memory);
 }
 

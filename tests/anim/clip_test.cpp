@@ -56,6 +56,13 @@ TEST_CASE("of animations that drive the same property only the first plays", "[a
     CHECK(choose_clip(scene, "all").duration_s == 9.0);
 }
 
+TEST_CASE("a clip lasts as long as its longest animation, first or last", "[anim]") {
+    Scene scene = walk_and_nod();
+    scene.animations[0].samplers[0].times_s = {0.5f, 4.0f};
+
+    CHECK(choose_clip(scene, "all").duration_s == 4.0);
+}
+
 TEST_CASE("an animation is chosen by name or number", "[anim]") {
     const Scene scene = walk_and_nod();
 

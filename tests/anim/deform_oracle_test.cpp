@@ -72,6 +72,16 @@ TEST_CASE("frames of random scenes match the evaluation in double", "[anim]") {
     CHECK(well_conditioned * 10 >= directions * 8);
 }
 
+TEST_CASE("parts of many runs of vertices match the evaluation in double", "[anim]") {
+    const std::uint32_t seed = GENERATE(range(200u, 203u));
+    const Scene scene = testing::random_scene(seed, {.vertices_per_part = 2 * longest_run + 100});
+    const Clip clip = choose_clip(scene, "all");
+    FrameGeometry frame = lay_out(scene, clip);
+    deform(scene, pose(scene, clip, 0.8), frame);
+
+    CHECK(position_error(frame, testing::oracle_vertices(scene, clip, 0.8)) < 1e-6);
+}
+
 TEST_CASE("frames far from the origin match the evaluation in double", "[anim]") {
     // A kilometre away a float is off by up to 3e-5 m, whatever one does.
     const std::uint32_t seed = GENERATE(range(100u, 110u));
