@@ -1,0 +1,40 @@
+#include "engine/base_color.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace gridreel::engine {
+namespace {
+
+/// Width in texture coordinates of something `at.width` metres wide: the square root of the ratio between
+/// the triangle's area in the texture and in the world.
+float footprint(const PosedScene& scene, const TexturedPoint& at, std::uint32_t set) {
+    const double area = glm::length(at.point.area_normal);
+    const auto& texcoords = scene.geometry.texcoords[set];
+    if (!(at.width > 0.0f) || !(area > 0.0) || texcoords.empty()) return 0.0f;
+    const glm::uvec3 vertices = scene.geometry.triangles[at.triangle];
+    const glm::vec2 ab = texcoords[vertices.y] - texcoords[vertices.x];
+    const glm::vec2 ac = texcoords[vertices.z] - texcoords[vertices.x];
+    const double texture_area = std::abs(double(ab.x) * double(ac.y) - double(ab.y) * double(ac.x));
+    return at.width * static_cast<float>(std::sqrt(texture_area / area));
+}
+
+}  // namespace
+
+glm::vec4 textured(const PosedScene& scene, const TexturedPoint& at,
+                   const std::optional<anim::TextureRef>& ref, Encoding encoding) {
+    if (!ref) return glm::vec4(1.0f);
+    return scene.textures.sample(ref, encoding,
+                                 texcoord_at(scene.geometry, at.triangle, at.point, ref->texcoord),
+                                 footprint(scene, at, ref->texcoord));
+}
+
+glm::vec4 base_color(const PosedScene& scene, const TexturedPoint& at) {
+    const anim::Material& material = scene.material_of(at.triangle);
+    return material.base_color * color_at(scene.geometry, at.triangle, at.point) *
+           textured(scene, at, material.base_color_texture, Encoding::srgb);
+}
+
+}  // namespace gridreel::engine

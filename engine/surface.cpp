@@ -1,0 +1,108 @@
+#include "engine/surface.h"
+
+#include "engine/base_color.h"
+#include "engine/ray_offset.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gridreel::engine {
+namespace {
+
+/// Vertex normals on the side of `geometric_normal`'s viewer; nothing usable: that normal itself.
+std::array<glm::vec3, 3> vertex_normals(const anim::FrameGeometry& geometry, const glm::uvec3& triangle,
+                                        Side side, const glm::vec3& geometric_normal) {
+    std::array<glm::vec3, 3> normals;
+    for (int corner = 0; corner < 3; ++corner) {
+        const glm::vec3& normal = geometry.normals[triangle[corner]];
+        const bool usable = glm::dot(normal, normal) > 0.0f;
+        normals[static_cast<std::size_t>(corner)] = !usable              ? geometric_normal
+                                                    : side == Side::back ? -normal
+                                                                         : normal;
+    }
+    return normals;
+}
+
+glm::vec3 interpolated_normal(const std::array<glm::vec3, 3>& normals, const glm::vec3& weights,
+                              const glm::vec3& geometric_normal) {
+    const glm::vec3 sum = weights.x * normals[0] + weights.y * normals[1] + weights.z * normals[2];
+    const float length = glm::length(sum);
+    return length > 0.0f && std::isfinite(length) ? sum / length : geometric_normal;
+}
+
+/// The point pushed out to the curved surface that the vertex normals suggest, so that shadows on coarse
+/// meshes end where the shading does (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, ch. 4).
+glm::vec3 pushed_out(const HitPoint& point, const std::array<glm::vec3, 3>& normals) {
+    const glm::vec3 position(point.position);
+    const glm::vec3 weights(point.weights);
+    glm::vec3 push{0.0f};
+    for (int corner = 0; corner < 3; ++corner) {
+        const auto i = static_cast<std::size_t>(corner);
+        const float below = glm::min(0.0f, glm::dot(position - point.corners[i], normals[i]));
+        push -= weights[corner] * below * normals[i];
+    }
+    return position + push;
+}
+
+}  // namespace
+
+Surface surface_at(const PosedScene& scene, std::uint32_t triangle, const HitPoint& point, const Ray& ray,
+                   float cone_width) {
+    const anim::FrameGeometry& geometry = scene.geometry;
+    const anim::Part& part = scene.part_of(triangle);
+    const anim::Material& material = scene.material_of(triangle);
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(ray.direction));
+
+    // Shape.
+    const double doubled_area = glm::length(point.area_normal);
+    const glm::dvec3 facing = point.side == Side::back ? -point.area_normal : point.area_normal;
+    Surface surface{.position = glm::vec3(point.position),
+                    .smooth_position = glm::vec3(point.position),
+                    .geometric_normal = glm::vec3(doubled_area > 0.0 ? facing / doubled_area : -direction)};
+    surface.normal = surface.geometric_normal;
+    if (part.smooth) {
+        const auto normals =
+            vertex_normals(geometry, geometry.triangles[triangle], point.side, surface.geometric_normal);
+        surface.normal = interpolated_normal(normals, glm::vec3(point.weights), surface.geometric_normal);
+        surface.smooth_position = pushed_out(point, normals);
+    }
+
+    // Size.
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::vec3 corner = glm::abs(point.corners[i]);
+        const float edge = glm::distance(point.corners[i], point.corners[(i + 1) % 3]);
+        surface.coordinate = glm::max(surface.coordinate, glm::max(corner.x, glm::max(corner.y, corner.z)));
+        surface.longest_edge = glm::max(surface.longest_edge, edge);
+    }
+    surface.slimness = static_cast<float>(2.0 * surface.longest_edge / doubled_area);
+
+    // Looks.
+    const double cosine = std::abs(glm::dot(glm::dvec3(surface.geometric_normal), direction));
+    const TexturedPoint at{.triangle = triangle,
+                           .point = point,
+                           .width = static_cast<float>(cone_width / glm::max(cosine, 1e-4))};
+    const glm::vec4 metallic_roughness =
+        textured(scene, at, material.metallic_roughness_texture, Encoding::linear);
+    surface.reflectance = reflectance(glm::clamp(glm::vec3(base_color(scene, at)), 0.0f, 1.0f),
+                                      glm::clamp(material.metallic * metallic_roughness.z, 0.0f, 1.0f),
+                                      glm::clamp(material.roughness * metallic_roughness.y, 0.0f, 1.0f));
+    surface.emission =
+        material.emissive * glm::vec3(textured(scene, at, material.emissive_texture, Encoding::srgb));
+    return surface;
+}
+
+glm::vec3 shadow_point(const Surface& surface, float distance) {
+    return surface.smooth_position + ray_offset(surface.coordinate, distance) * surface.geometric_normal;
+}
+
+float shadow_gap(const Surface& surface, float distance, float cosine) {
+    constexpr float eps = std::numeric_limits<float>::epsilon();
+    const float uncertain = eps * distance * surface.slimness / std::abs(cosine);
+    return glm::min(uncertain, surface.longest_edge / distance);
+}
+
+}  // namespace gridreel::engine
