@@ -64,7 +64,7 @@ View view_of(const anim::Camera& camera, const glm::dmat4& world, std::int32_t w
                                                                             : std::abs(camera.y_mag),
               .near_m = camera.near_m,
               .far_m = camera.far_m,
-              .pixels_down = height};
+              .pixels_down = double(height)};
     view.right = direction_of(glm::cross(view.forward, direction_of(glm::dvec3(world[1]), camera)), camera);
     view.up = glm::cross(view.right, view.forward);
     view.half_width = view.half_height * width / height;

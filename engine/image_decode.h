@@ -13,7 +13,7 @@ namespace gridreel::engine {
 /// An image as stored: no transfer curve or colour profile applied, alpha not premultiplied.
 struct DecodedImage {
     std::int32_t width = 0, height = 0;
-    std::vector<glm::u16vec4> texels;  ///< row by row from the top left; RGBA, 65535 is 1
+    std::vector<glm::u16vec4> texels{};  ///< row by row from the top left; RGBA, 65535 is 1
 };
 
 /// Decodes PNG, JPEG or WebP, 8 or 16 bits a channel. Grey is spread over R, G, B; absent alpha is 1.

@@ -24,7 +24,7 @@ struct PosedLight {
     glm::vec3 intensity{1.0f};  ///< linear RGB; candela, lux (directional), or lux everywhere (no falloff)
     glm::vec3 position{0.0f};   ///< point and spot
     glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< unit, the way it shines; spot and directional
-    std::optional<float> range_m;
+    std::optional<float> range_m{};
     float cone_scale = 0.0f,
           cone_offset = 1.0f;  ///< spot: the angle's factor is saturate(cos * scale + offset)^2
 };

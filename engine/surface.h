@@ -18,7 +18,7 @@ struct Surface {
     glm::vec3 smooth_position{0.0f};   ///< on the curved surface that the vertex normals suggest
     glm::vec3 geometric_normal{0.0f};  ///< the triangle's
     glm::vec3 normal{0.0f};            ///< interpolated between vertices where the part is smooth
-    Reflectance reflectance;
+    Reflectance reflectance{};
     glm::vec3 emission{0.0f};   ///< radiance, linear RGB
     float coordinate = 0.0f;    ///< largest absolute coordinate of the triangle's corners, metres
     float slimness = 0.0f;      ///< the triangle's longest edge over its area, 1/m

@@ -26,7 +26,7 @@ enum class Encoding {
 struct Pyramid {
     struct Level {
         std::int32_t width = 0, height = 0;
-        std::vector<glm::u16vec4> texels;  ///< row by row from the top left
+        std::vector<glm::u16vec4> texels{};  ///< row by row from the top left
     };
     std::vector<Level> levels;  ///< at least one
 
