@@ -143,7 +143,7 @@ void Band::make_shadow_rays(const PosedLight& light) {
             const glm::vec3 end = shadow_point(surface, arrival.distance);
             const float cosine = glm::dot(arrival.to_light, surface.geometric_normal);
             shadow_rays_.set_direction(i, end - light.position);
-            shadow_rays_.t_max[i] = 1.0f - shadow_gap(surface, arrival.distance, cosine);
+            shadow_rays_.t_max[i] = 1.0f - shadow_gap(surface, cosine);
         } else {
             shadow_rays_.set_origin(i, shadow_point(surface, 0.0f));
             shadow_rays_.set_direction(i, -light.direction);

@@ -53,7 +53,9 @@ glm::vec3 brdf(const Reflectance& surface, const glm::vec3& normal, const glm::v
     const float cos_half = glm::clamp(glm::dot(normal, half), 0.0f, 1.0f);
     const float highlight =
         ggx_density(cos_half, surface.alpha) * smith_visibility(cos_light, cos_view, surface.alpha);
-    return (glm::vec3(1.0f) - fresnel) * surface.diffuse * std::numbers::inv_pi_v<float> +
+    // What enters below the surface, and gets out again, is what the steeper way's Fresnel term leaves.
+    const glm::vec3 turned_back = schlick_fresnel(surface.specular, glm::min(cos_light, cos_view));
+    return (glm::vec3(1.0f) - turned_back) * surface.diffuse * std::numbers::inv_pi_v<float> +
            fresnel * highlight;
 }
 

@@ -18,7 +18,9 @@ struct Reflectance {
 [[nodiscard]] Reflectance reflectance(const glm::vec3& base_color, float metallic, float roughness);
 
 /// Radiance towards `view` per irradiance from `light` (1/sr): Lambert below GGX with Schlick's Fresnel and
-/// height-correlated Smith masking (glTF 2.0, appendix B.3). Zero below the surface; reciprocal.
+/// height-correlated Smith masking (glTF 2.0, appendix B.3). Zero below the surface; reciprocal. The share
+/// that Fresnel takes from the diffuse part is that of the lower of the two directions rather than of their
+/// half vector, which would make white plastic return up to a quarter more light than it receives.
 /// All vectors are unit and point away from the surface.
 [[nodiscard]] glm::vec3 brdf(const Reflectance& surface, const glm::vec3& normal, const glm::vec3& view,
                              const glm::vec3& light);

@@ -23,11 +23,11 @@ std::string_view bytes_at(const anim::Image& image, std::size_t first, std::size
     return {reinterpret_cast<const char*>(image.encoded.data()) + first, count};
 }
 
-/// A file name whose extension makes OpenImageIO choose the reader; empty for a format we do not read.
-std::string_view name_for_reader(const anim::Image& image) {
-    if (bytes_at(image, 0, 4) == "\x89PNG") return "image.png";
-    if (bytes_at(image, 0, 3) == "\xff\xd8\xff") return "image.jpg";
-    if (bytes_at(image, 0, 4) == "RIFF" && bytes_at(image, 8, 4) == "WEBP") return "image.webp";
+/// OpenImageIO's name for the file's format; empty for one we do not read.
+std::string_view format_of(const anim::Image& image) {
+    if (bytes_at(image, 0, 4) == "\x89PNG") return "png";
+    if (bytes_at(image, 0, 3) == "\xff\xd8\xff") return "jpeg";
+    if (bytes_at(image, 0, 4) == "RIFF" && bytes_at(image, 8, 4) == "WEBP") return "webp";
     return {};
 }
 
@@ -49,21 +49,25 @@ std::vector<glm::u16vec4> to_rgba(const std::vector<std::uint16_t>& values, std:
 }  // namespace
 
 DecodedImage decode(const anim::Image& image) {
-    const std::string_view name = name_for_reader(image);
-    if (name.empty()) {
+    const std::string_view format = format_of(image);
+    if (format.empty()) {
         throw Error("the image is neither PNG, JPEG nor WebP", place_of(image),
                     "convert it to PNG or JPEG and export the scene again");
     }
 
     OIIO::Filesystem::IOMemReader bytes(image.encoded.data(), image.encoded.size());
+    const auto input = OIIO::ImageInput::create(std::string(format));
+    if (!input || !input->set_ioproxy(&bytes)) {
+        throw Error(fmt::format("OpenImageIO was built without a reader of {} in memory", format),
+                    place_of(image), "convert it to PNG or JPEG and export the scene again");
+    }
+    OIIO::ImageSpec spec;
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(std::string(name), &wishes, &bytes);
-    if (!input) {
-        throw Error(fmt::format("the image cannot be read ({})", OIIO::geterror()), place_of(image),
+    if (!input->open(image.name, spec, wishes)) {
+        throw Error(fmt::format("the image cannot be read ({})", input->geterror()), place_of(image),
                     "export the scene again");
     }
-    const OIIO::ImageSpec& spec = input->spec();
     if (spec.width < 1 || spec.height < 1 || spec.width > largest_side || spec.height > largest_side) {
         throw Error(fmt::format("the image is {} x {} pixels", spec.width, spec.height), place_of(image),
                     fmt::format("scale it down to at most {0} x {0}", largest_side));

@@ -24,6 +24,16 @@ TraceCost timed_closest(traversal::Tracer& tracer, const traversal::RayBatch& ra
     return {.report = report, .ms = watch.ms()};
 }
 
+/// Puts the triangle where the ray stops in the place of the one it met.
+/// @return false, and `triangle` as it was, for a ray that goes on behind it
+bool settle(std::uint32_t& triangle, const PosedScene& scene, const Ray& ray, RayKind kind) {
+    if (triangle == traversal::no_triangle) return true;
+    const std::uint32_t stop = stopping_triangle(scene, triangle, ray, kind);
+    if (stop == traversal::no_triangle) return false;
+    triangle = stop;
+    return true;
+}
+
 }  // namespace
 
 TraceCost& TraceCost::operator+=(const TraceCost& other) {
@@ -40,8 +50,7 @@ TraceCost OpaqueHits::closest(traversal::Tracer& tracer, const traversal::RayBat
     goes_on_.resize(rays.size());
     tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
         const Ray ray{.origin = rays.origin_of(i), .direction = rays.direction_of(i)};
-        goes_on_[i] =
-            hits.triangle[i] != traversal::no_triangle && lets_through(scene, hits.triangle[i], ray, kind);
+        goes_on_[i] = !settle(hits.triangle[i], scene, ray, kind);
     });
     compact(goes_on_, ray_of_);
 
@@ -64,8 +73,7 @@ TraceCost OpaqueHits::closest(traversal::Tracer& tracer, const traversal::RayBat
             hits.t[ray] = rest_hits_.t[i];
             hits.triangle[ray] = rest_hits_.triangle[i];
             const Ray path{.origin = rays.origin_of(ray), .direction = rays.direction_of(ray)};
-            goes_on_[i] = hits.triangle[ray] != traversal::no_triangle &&
-                          lets_through(scene, hits.triangle[ray], path, kind);
+            goes_on_[i] = !settle(hits.triangle[ray], scene, path, kind);
         });
         compact(goes_on_, chosen_);
         next_ray_of_.resize(chosen_.size());

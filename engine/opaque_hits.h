@@ -18,8 +18,8 @@ struct TraceCost {
     TraceCost& operator+=(const TraceCost& other);
 };
 
-/// Traces batches again and again behind whatever `lets_through` until every ray has hit something opaque or
-/// nothing. Keeps its memory from batch to batch.
+/// Traces batches again and again behind whatever they see through until every ray has hit something opaque
+/// or nothing. Keeps its memory from batch to batch.
 class OpaqueHits {
 public:
     /// As `Tracer::closest_hits`. Rays that go on are traced as a smaller batch, from the same origins in the

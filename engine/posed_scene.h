@@ -5,6 +5,7 @@
 #include "anim/pose.h"
 #include "anim/scene.h"
 #include "engine/textures.h"
+#include "engine/twin_triangles.h"
 
 #include <cstdint>
 
@@ -15,6 +16,7 @@ struct PosedScene {
     const anim::FrameGeometry& geometry;
     const anim::Pose& pose;
     const Textures& textures;
+    const TwinTriangles& twins;
 
     [[nodiscard]] const anim::Part& part_of(std::uint32_t triangle) const {
         return geometry.parts[geometry.triangle_part[triangle]];

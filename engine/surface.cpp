@@ -2,13 +2,13 @@
 
 #include "engine/base_color.h"
 #include "engine/ray_offset.h"
+#include "traversal/rounding.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace gridreel::engine {
 namespace {
@@ -72,13 +72,13 @@ Surface surface_at(const PosedScene& scene, std::uint32_t triangle, const HitPoi
     }
 
     // Size.
-    for (std::size_t i = 0; i < 3; ++i) {
-        const glm::vec3 corner = glm::abs(point.corners[i]);
-        const float edge = glm::distance(point.corners[i], point.corners[(i + 1) % 3]);
-        surface.coordinate = glm::max(surface.coordinate, glm::max(corner.x, glm::max(corner.y, corner.z)));
-        surface.longest_edge = glm::max(surface.longest_edge, edge);
+    for (const glm::vec3& corner : point.corners) {
+        const glm::vec3 reach = glm::abs(corner);
+        surface.coordinate = glm::max(surface.coordinate, glm::max(reach.x, glm::max(reach.y, reach.z)));
     }
-    surface.slimness = static_cast<float>(2.0 * surface.longest_edge / doubled_area);
+    const double edges = double(glm::distance(point.corners[0], point.corners[1])) *
+                         double(glm::distance(point.corners[0], point.corners[2]));
+    surface.slimness = static_cast<float>(edges / doubled_area);
 
     // Looks.
     const double cosine = std::abs(glm::dot(glm::dvec3(surface.geometric_normal), direction));
@@ -99,10 +99,9 @@ glm::vec3 shadow_point(const Surface& surface, float distance) {
     return surface.smooth_position + ray_offset(surface.coordinate, distance) * surface.geometric_normal;
 }
 
-float shadow_gap(const Surface& surface, float distance, float cosine) {
-    constexpr float eps = std::numeric_limits<float>::epsilon();
-    const float uncertain = eps * distance * surface.slimness / std::abs(cosine);
-    return glm::min(uncertain, surface.longest_edge / distance);
+float shadow_gap(const Surface& surface, float cosine) {
+    const float rounded = 2.0f * traversal::rounding_margin * surface.slimness / std::abs(cosine);
+    return glm::min(rounded, static_cast<float>(traversal::depth_error));
 }
 
 }  // namespace gridreel::engine

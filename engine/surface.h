@@ -19,10 +19,9 @@ struct Surface {
     glm::vec3 geometric_normal{0.0f};  ///< the triangle's
     glm::vec3 normal{0.0f};            ///< interpolated between vertices where the part is smooth
     Reflectance reflectance{};
-    glm::vec3 emission{0.0f};   ///< radiance, linear RGB
-    float coordinate = 0.0f;    ///< largest absolute coordinate of the triangle's corners, metres
-    float slimness = 0.0f;      ///< the triangle's longest edge over its area, 1/m
-    float longest_edge = 0.0f;  ///< metres
+    glm::vec3 emission{0.0f};  ///< radiance, linear RGB
+    float coordinate = 0.0f;   ///< largest absolute coordinate of the triangle's corners, metres
+    float slimness = 1.0f;     ///< product of two of the triangle's edges over twice its area, >= 1
 };
 
 /// @param triangle    hit by `ray` at `point`
@@ -37,12 +36,10 @@ struct Surface {
 /// @param distance  to the light, metres; 0 for one without a place
 [[nodiscard]] glm::vec3 shadow_point(const Surface& surface, float distance);
 
-/// The share of the way from a light to `shadow_point` that a shadow ray leaves out at its end.
-///
-/// Tracers divide by a sum of edge functions, each about as wrong as eps * distance * longest edge, while the
-/// sum is of the order of area * cosine (DESIGN.md, "Edge functions"): for triangles much smaller than their
-/// distance the depth of a hit is that uncertain, but never by more than the triangle's own size.
+/// The share of the way from a light to `shadow_point` that a shadow ray leaves out at its end: what the
+/// depth of a hit may be off by (traversal/rounding.h), which grows as the triangle is a sliver or lit at a
+/// low angle, until the tracer computes it in double precision.
 /// @param cosine  between the way to the light and the geometric normal
-[[nodiscard]] float shadow_gap(const Surface& surface, float distance, float cosine);
+[[nodiscard]] float shadow_gap(const Surface& surface, float cosine);
 
 }  // namespace gridreel::engine
