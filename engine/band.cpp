@@ -138,15 +138,15 @@ void Band::make_shadow_rays(const PosedLight& light) {
     tbb::parallel_for(std::size_t{0}, sample_of_.size(), [&](std::size_t i) {
         const Surface& surface = surfaces_[sample_of_[i]];
         shadow_rays_.t_min[i] = 0.0f;
+        const Arrival arrival = arrival_at(light, surface.position);
+        const float cosine = glm::dot(arrival.to_light, surface.geometric_normal);
+        const ShadowEnd end = shadow_end(surface, from_light ? arrival.distance : 0.0f, cosine);
         if (from_light) {
-            const Arrival arrival = arrival_at(light, surface.position);
-            const glm::vec3 end = shadow_point(surface, arrival.distance);
-            const float cosine = glm::dot(arrival.to_light, surface.geometric_normal);
-            shadow_rays_.set_direction(i, end - light.position);
-            shadow_rays_.t_max[i] = 1.0f - shadow_gap(surface, cosine);
+            shadow_rays_.set_direction(i, end.point - light.position);
+            shadow_rays_.t_max[i] = 1.0f - end.gap;
         } else {
-            shadow_rays_.set_origin(i, shadow_point(surface, 0.0f));
-            shadow_rays_.set_direction(i, -light.direction);
+            shadow_rays_.set_origin(i, end.point);
+            shadow_rays_.set_direction(i, arrival.to_light);
             shadow_rays_.t_max[i] = std::numeric_limits<float>::infinity();
         }
     });

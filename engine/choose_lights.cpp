@@ -25,8 +25,8 @@ Lighting file_lighting(const anim::Scene& scene, const std::vector<anim::Index>&
 }
 
 Lighting default_lighting(const glm::vec3& box_min, const glm::vec3& box_max) {
-    // Facing the key light, white reflects 0.55 of it and 0.38 of the dome; facing up, 0.40 and 0.42.
-    constexpr float key_reflected = 0.55f;
+    // Facing the key light, white reflects 0.65 of it and 0.29 of the dome; facing up, 0.47 and 0.32.
+    constexpr float key_reflected = 0.65f;
     const glm::vec3 towards_key = glm::normalize(glm::vec3{0.45f, 0.8f, 0.6f});
     const glm::vec3 center = 0.5f * box_min + 0.5f * box_max;
     const float diagonal = glm::length(box_max - box_min);
@@ -35,7 +35,7 @@ Lighting default_lighting(const glm::vec3& box_min, const glm::vec3& box_max) {
                         .falloff = Falloff::none,
                         .intensity = glm::vec3(key_reflected * std::numbers::pi_v<float>),
                         .position = center + distance * towards_key}},
-            .dome = {.sky = glm::vec3{0.46f, 0.47f, 0.49f}, .ground = glm::vec3{0.19f, 0.18f, 0.17f}}};
+            .dome = {.sky = glm::vec3{0.35f, 0.36f, 0.38f}, .ground = glm::vec3{0.14f, 0.13f, 0.12f}}};
 }
 
 }  // namespace gridreel::engine

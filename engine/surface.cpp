@@ -95,13 +95,15 @@ Surface surface_at(const PosedScene& scene, std::uint32_t triangle, const HitPoi
     return surface;
 }
 
-glm::vec3 shadow_point(const Surface& surface, float distance) {
-    return surface.smooth_position + ray_offset(surface.coordinate, distance) * surface.geometric_normal;
-}
-
-float shadow_gap(const Surface& surface, float cosine) {
-    const float rounded = 2.0f * traversal::rounding_margin * surface.slimness / std::abs(cosine);
-    return glm::min(rounded, static_cast<float>(traversal::depth_error));
+ShadowEnd shadow_end(const Surface& surface, float distance, float cosine) {
+    const float steepness = std::abs(cosine);
+    const float uncertain = glm::min(2.0f * traversal::rounding_margin * surface.slimness / steepness,
+                                     static_cast<float>(traversal::depth_error));
+    const bool behind = cosine < 0.0f;
+    const float lift =
+        ray_offset(surface.coordinate, distance) + (behind ? uncertain * distance * steepness : 0.0f);
+    return {.point = surface.smooth_position + lift * surface.geometric_normal,
+            .gap = behind ? 0.0f : uncertain};
 }
 
 }  // namespace gridreel::engine

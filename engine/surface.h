@@ -31,15 +31,21 @@ struct Surface {
 [[nodiscard]] Surface surface_at(const PosedScene& scene, std::uint32_t triangle, const HitPoint& point,
                                  const Ray& ray, float cone_width);
 
-/// Where shadow rays towards a light meet the surface: off it by what rounding may cost, on the viewer's
-/// side.
-/// @param distance  to the light, metres; 0 for one without a place
-[[nodiscard]] glm::vec3 shadow_point(const Surface& surface, float distance);
+/// The surface's end of a shadow ray.
+struct ShadowEnd {
+    glm::vec3 point{0.0f};  ///< just off the surface, on the viewer's side
+    float gap = 0.0f;       ///< share of the way from the light to `point` that the ray leaves out at its end
+};
 
-/// The share of the way from a light to `shadow_point` that a shadow ray leaves out at its end: what the
-/// depth of a hit may be off by (traversal/rounding.h), which grows as the triangle is a sliver or lit at a
-/// low angle, until the tracer computes it in double precision.
-/// @param cosine  between the way to the light and the geometric normal
-[[nodiscard]] float shadow_gap(const Surface& surface, float cosine);
+/// An end that rounding cannot bring to the wrong side of the surface.
+///
+/// What the depth of a hit may be off by (traversal/rounding.h) grows as the triangle is a sliver or lit at a
+/// low angle, until the tracer computes it in double precision. A light before the surface: the ray ends so
+/// much earlier. A light behind it, that only the interpolated normal faces: the point stands so much
+/// higher, so that the ray passes through the surface well before its end and finds itself shadowed.
+///
+/// @param distance  to the light, metres; 0 for one without a place
+/// @param cosine    between the way to the light and the geometric normal
+[[nodiscard]] ShadowEnd shadow_end(const Surface& surface, float distance, float cosine);
 
 }  // namespace gridreel::engine

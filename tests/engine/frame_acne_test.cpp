@@ -1,6 +1,8 @@
 #include "scenes.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -13,7 +15,7 @@ using test::SceneBuilder;
 namespace {
 
 struct Speckles {
-    int lit = 0;       ///< pixels whose geometric normal faces the light
+    int lit = 0;       ///< pixels that are asked about
     int shadowed = 0;  ///< of these, without light
 };
 
@@ -115,4 +117,40 @@ TEST_CASE("triangles much smaller than their distance do not shadow themselves",
     const Speckles found = count(builder.scene, [](const glm::vec3&, float) { return true; });
     CHECK(found.lit > 5000);
     CHECK(found.shadowed == 0);
+}
+
+TEST_CASE("light from behind never leaks through a surface whose normals lean towards it", "[engine]") {
+    const float scale = GENERATE(1e-3f, 1.0f, 1e6f);
+    const auto kind = GENERATE(anim::Light::Kind::point, anim::Light::Kind::directional);
+
+    // A wall facing +z in strips, lit from behind and above; its vertex normals lean far enough upwards.
+    SceneBuilder builder;
+    anim::Primitive wall;
+    constexpr int rows = 12;
+    for (int i = 0; i <= rows; ++i) {
+        const float y = scale * (2.0f * static_cast<float>(i) / rows - 1.0f);
+        wall.positions.emplace_back(-scale, y, 0.0f);
+        wall.positions.emplace_back(scale, y, 0.0f);
+        wall.normals.insert(wall.normals.end(), 2, glm::vec3{0.0f, 0.6f, 0.8f});
+    }
+    for (std::uint32_t i = 0; i < 2 * rows; i += 2) {
+        wall.triangles.emplace_back(i, i + 1, i + 3);
+        wall.triangles.emplace_back(i, i + 3, i + 2);
+    }
+    wall.material = builder.add_material(test::matte(glm::vec3(1.0f)));
+    builder.add_mesh(wall);
+    anim::Light light = light_for(scale);
+    light.kind = kind;
+    // Shines along (0, -1, 0.3): from above and a little behind.
+    anim::Node node;
+    node.light = 0;
+    node.matrix = glm::inverse(
+        glm::lookAt(glm::dvec3(0.0, 5.0, -1.5) * double(scale), glm::dvec3(0.0), glm::dvec3(0.0, 0.0, 1.0)));
+    builder.scene.lights = {light};
+    builder.add_node(node);
+    builder.add_camera(glm::dvec3(0.0, 0.0, 4.0 * double(scale)), glm::dvec3(0.0), 0.4);
+
+    const Speckles found = count(builder.scene, [](const glm::vec3&, float) { return true; });
+    CHECK(found.lit > 5000);
+    CHECK(found.shadowed == found.lit);
 }
