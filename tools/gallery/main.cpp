@@ -1,0 +1,80 @@
+// make_gallery: writes the bundled scenes, or one of them at any size.
+
+#include "anim/error.h"
+#include "tools/gallery/glb_writer.h"
+#include "tools/gallery/scenes.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+namespace {
+
+namespace gallery = gridreel::gallery;
+
+void write_scene(const gallery::SceneMaker& scene, std::size_t triangles, const std::filesystem::path& file) {
+    const gallery::Document document = scene.make(triangles);
+    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+    std::ofstream out(file, std::ios::binary);
+    gallery::write_glb(document, out);
+    out.close();
+    if (!out)
+        throw gridreel::Error("cannot write the file", file.string(), "check the folder and the space left");
+    std::cout << file.string() << ": " << gallery::triangle_count(document) << " triangles, "
+              << std::filesystem::file_size(file) << " bytes\n";
+}
+
+const gallery::SceneMaker& scene_named(std::string_view name) {
+    for (const auto& scene : gallery::scene_makers)
+        if (scene.name == name) return scene;
+    throw gridreel::Error("no such scene", std::string(name), "see make_gallery --help");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Writes the scenes of sequences/gallery, the same bytes on every run."};
+    std::string name, output, folder = "sequences/gallery";
+    std::size_t triangles = 0;
+
+    std::string footer = "Scenes:";
+    std::vector<std::string> names;
+    for (const auto& scene : gallery::scene_makers) {
+        footer += "\n  " + std::string(scene.name) + ": " + std::string(scene.summary);
+        names.emplace_back(scene.name);
+    }
+    app.footer(footer);
+    auto* const scene_option = app.add_option("scene", name, "One scene; without it, all of them as bundled")
+                                   ->check(CLI::IsMember(names));
+    app.add_option("--triangles", triangles, "About how many triangles (default: as bundled)")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
+        ->needs(scene_option);
+    app.add_option("-o,--output", output, "File to write (default: SCENE.glb)")->needs(scene_option);
+    app.add_option("--folder", folder, "Where all scenes go, each as SCENE/SCENE.glb")->capture_default_str();
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+
+    try {
+        if (name.empty()) {
+            for (const auto& scene : gallery::scene_makers) {
+                const std::string stem(scene.name);
+                write_scene(scene, scene.bundled_triangles,
+                            std::filesystem::path(folder) / stem / (stem + ".glb"));
+            }
+        } else {
+            const gallery::SceneMaker& scene = scene_named(name);
+            write_scene(scene, triangles > 0 ? triangles : scene.bundled_triangles,
+                        output.empty() ? name + ".glb" : output);
+        }
+    } catch (const std::exception& error) {
+        std::cerr << "make_gallery: " << error.what() << '\n';
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,157 @@
+// A figure walks along a path of posts; camera and lights go with it.
+
+#include "tools/gallery/figure.h"
+#include "tools/gallery/gait.h"
+#include "tools/gallery/mesh_shapes.h"
+#include "tools/gallery/packing.h"
+#include "tools/gallery/scenes.h"
+#include "tools/gallery/staging.h"
+#include "tools/gallery/turns.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace gridreel::gallery {
+
+namespace {
+
+constexpr int key_count = 30;  ///< intervals of the cycle
+
+// --- Still things --------------------------------------------------------------------------------
+
+/// The surroundings repeat after two strides' worth of nothing: one stride forward looks the same.
+void add_path(Document& document, std::uint32_t detail) {
+    const Id paper =
+        append(document.materials, {.name = "paper", .base_color = {0.50, 0.47, 0.40}, .roughness = 0.9});
+    const Shape floor = backdrop({.half_width = 9.0,
+                                  .front_z = 2.6,
+                                  .wall_z = -2.6,
+                                  .height = 4.2,
+                                  .bend_m = 1.1,
+                                  .bend_steps = detail == 0 ? 0 : 4 * detail});
+    add_mesh_node(document, "backdrop", add_mesh(document, "backdrop", floor, paper));
+    if (detail == 0) return;
+
+    const Id slate =
+        append(document.materials, {.name = "slate", .base_color = {0.20, 0.26, 0.29}, .roughness = 0.8});
+    const Id teal =
+        append(document.materials, {.name = "teal", .base_color = {0.05, 0.33, 0.34}, .roughness = 0.5});
+    const Id gold =
+        append(document.materials, {.name = "gold", .base_color = {0.85, 0.52, 0.12}, .roughness = 0.3});
+    const Id slab = add_mesh(document, "slab", box({-0.52, 0.0, -0.45}, {0.52, 0.012, 0.45}), slate);
+    const std::array<glm::dvec2, 5> profile{
+        {{0.17, 0.0}, {0.10, 0.08}, {0.085, 0.62}, {0.13, 0.70}, {0.0, 0.70}}};
+    const Id post = add_mesh(document, "post", lathe(profile, 8 * detail), teal);
+    const Id ball = add_mesh(document, "ball", geodesic_sphere(2 * detail, 0.15), gold);
+    for (int i = -4; i <= 4; ++i) {
+        const double x = stride_m * double(i);
+        const std::string number = " " + std::to_string(i + 5);
+        add_mesh_node(document, "slab" + number, slab, {x, 0.0, 0.0});
+        add_mesh_node(document, "post" + number, post, {x + 0.3, 0.0, -1.15});
+        add_mesh_node(document, "ball" + number, ball, {x + 0.3, 0.83, -1.15});
+    }
+}
+
+// --- The figure ----------------------------------------------------------------------------------
+
+Id add_skeleton(Document& document) {
+    const auto& rest = rest_joints();
+    const Id first = static_cast<Id>(document.nodes.size());
+    std::vector<glm::dvec3> to_joint;
+    Skin skin;
+    for (std::size_t joint = 0; joint < joint_count; ++joint) {
+        const Id node = first + static_cast<Id>(joint);
+        const glm::dvec3 parent = joint == hips ? glm::dvec3(0.0) : rest[rest[joint].parent].position;
+        document.nodes.push_back(
+            {.name = std::string(rest[joint].name), .translation = rest[joint].position - parent});
+        if (joint != hips) document.nodes[first + rest[joint].parent].children.push_back(node);
+        skin.joints.push_back(node);
+        to_joint.push_back(-rest[joint].position);
+    }
+    skin.inverse_bind = add_translation_matrices(document, to_joint);
+    document.skins.push_back(std::move(skin));
+    return first;
+}
+
+void add_figure(Document& document, std::size_t triangles) {
+    const SkinnedShape figure = make_figure(triangles);
+    const Id material = append(document.materials, {.name = "clay", .roughness = 0.55, .glow = 0.03});
+    const Id mesh = add_mesh(document, "figure", figure.shape, material);
+    document.meshes[mesh].attributes.emplace_back("JOINTS_0", add_joints(document, figure.joints));
+    document.meshes[mesh].attributes.emplace_back("WEIGHTS_0", add_weights(document, figure.weights));
+    document.nodes.push_back({.name = "figure", .mesh = mesh, .skin = 0});
+}
+
+void add_walk(Document& document, Id first_joint, Id companion) {
+    std::vector<float> times;
+    std::vector<glm::dvec3> hips_positions;
+    std::array<std::vector<glm::dquat>, joint_count> rotations;
+    for (int key = 0; key <= key_count; ++key) {
+        const double phase = double(key) / key_count;
+        const WalkPose pose = walk(phase);
+        times.push_back(static_cast<float>(phase * cycle_duration_s));
+        hips_positions.push_back(pose.hips_position);
+        for (std::size_t joint = 0; joint < joint_count; ++joint)
+            rotations[joint].push_back(pose.local_rotation[joint]);
+    }
+    const Id input = add_times(document, times);
+    document.channels.push_back({.node = first_joint,
+                                 .path = Path::translation,
+                                 .times = input,
+                                 .values = add_translation_keys(document, hips_positions)});
+    for (std::size_t joint = 0; joint < joint_count; ++joint)
+        document.channels.push_back({.node = first_joint + static_cast<Id>(joint),
+                                     .path = Path::rotation,
+                                     .times = input,
+                                     .values = add_rotation_keys(document, rotations[joint])});
+
+    // Figure, camera and lights go forward together.
+    const std::array<float, 2> ends{0.0f, static_cast<float>(cycle_duration_s)};
+    const std::array<glm::dvec3, 2> way{glm::dvec3(0.0), glm::dvec3(stride_m, 0.0, 0.0)};
+    document.channels.push_back({.node = companion,
+                                 .path = Path::translation,
+                                 .times = add_times(document, ends),
+                                 .values = add_translation_keys(document, way)});
+}
+
+/// The camera breathes a little: a slow nod to and fro.
+void add_sway(Document& document, Id camera) {
+    const glm::dvec3 middle = document.nodes[camera].translation;
+    std::vector<float> times;
+    std::vector<glm::dvec3> places;
+    constexpr int steps = 10;
+    for (int key = 0; key <= steps; ++key) {
+        const double part = double(key) / steps;
+        times.push_back(static_cast<float>(part * cycle_duration_s));
+        places.push_back(middle + glm::dvec3(0.0, 0.012 * cos_turns(2.0 * part), 0.03 * sin_turns(part)));
+    }
+    document.channels.push_back({.node = camera,
+                                 .path = Path::translation,
+                                 .times = add_times(document, times),
+                                 .values = add_translation_keys(document, places)});
+}
+
+}  // namespace
+
+Document make_walker(std::size_t triangles) {
+    Document document{.name = "walker"};
+    add_path(document, triangles < 2'000 ? 0 : triangles < 8'000 ? 1 : 2);
+    const std::size_t still = triangle_count(document);
+    add_figure(document, triangles > still ? triangles - still : 1);
+
+    const Id hips_node = add_skeleton(document);
+    const Id camera = add_camera(document, {1.9, 1.45, 4.6}, {0.12, 0.93, 0.0}, 27.0, 50.0);
+    const glm::dvec3 subject(0.0, 1.1, 0.0);
+    const Id key = add_light(document, "key", {3.0, 4.0, 2.8}, subject, 0.9, {1.0, 0.94, 0.85});
+    const Id fill = add_light(document, "fill", {-3.0, 2.6, 3.4}, subject, 0.25, {0.75, 0.86, 1.0});
+    const Id companion =
+        append(document.nodes, {.name = "companion", .children = {hips_node, camera, key, fill}});
+    add_walk(document, hips_node, companion);
+    add_sway(document, camera);
+    return document;
+}
+
+}  // namespace gridreel::gallery
