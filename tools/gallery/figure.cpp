@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,30 +27,37 @@ struct Part {
     Joint joint;
     glm::dvec3 from, to;
     double from_radius, to_radius;
+    glm::dvec3 color;  ///< linear RGB
 };
 
-constexpr std::array<Part, 8> trunk{{{hips, {0.0, 0.965, -0.065}, {0.0, 0.965, 0.065}, 0.112, 0.112},
-                                     {spine, {0.0, 1.04, 0.0}, {0.0, 1.16, 0.0}, 0.108, 0.112},
-                                     {chest, {0.005, 1.21, -0.04}, {0.005, 1.21, 0.04}, 0.112, 0.112},
-                                     {chest, {0.0, 1.32, -0.065}, {0.0, 1.32, 0.065}, 0.108, 0.108},
-                                     {chest, {-0.01, 1.41, -0.14}, {-0.01, 1.41, 0.14}, 0.062, 0.062},
-                                     {neck, {0.0, 1.47, 0.0}, {0.01, 1.56, 0.0}, 0.052, 0.048},
-                                     {head, {0.03, 1.635, 0.0}, {0.03, 1.65, 0.0}, 0.082, 0.082},
-                                     {head, {0.005, 1.70, 0.0}, {0.02, 1.72, 0.0}, 0.102, 0.1}}};
+constexpr glm::dvec3 skin{0.72, 0.42, 0.27}, hair{0.09, 0.035, 0.02}, shirt{0.80, 0.26, 0.06},
+    trousers{0.05, 0.10, 0.22}, shoes{0.75, 0.72, 0.66};
+
+constexpr std::array<Part, 10> trunk{
+    {{hips, {0.0, 0.965, -0.065}, {0.0, 0.965, 0.065}, 0.112, 0.112, trousers},
+     {spine, {0.0, 1.04, 0.0}, {0.0, 1.16, 0.0}, 0.108, 0.112, shirt},
+     {chest, {0.005, 1.21, -0.04}, {0.005, 1.21, 0.04}, 0.112, 0.112, shirt},
+     {chest, {0.0, 1.32, -0.065}, {0.0, 1.32, 0.065}, 0.108, 0.108, shirt},
+     {chest, {-0.01, 1.41, -0.14}, {-0.01, 1.41, 0.14}, 0.062, 0.062, shirt},
+     {neck, {0.0, 1.47, 0.0}, {0.01, 1.56, 0.0}, 0.052, 0.048, skin},
+     {head, {0.035, 1.625, 0.0}, {0.035, 1.64, 0.0}, 0.076, 0.08, skin},
+     {head, {0.02, 1.69, 0.0}, {0.025, 1.70, 0.0}, 0.1, 0.1, skin},
+     {head, {0.118, 1.668, 0.0}, {0.125, 1.652, 0.0}, 0.012, 0.018, skin},
+     {head, {-0.02, 1.70, 0.0}, {0.005, 1.735, 0.0}, 0.1, 0.104, hair}}};
 
 constexpr std::array<Part, 4> right_arm{
-    {{upper_arm_right, shoulder, elbow, 0.058, 0.043},
-     {forearm_right, elbow, wrist, 0.043, 0.03},
-     {hand_right, {0.02, 0.975, 0.475}, {0.035, 0.925, 0.505}, 0.036, 0.03},
-     {hand_right, {0.035, 0.98, 0.47}, {0.075, 0.94, 0.485}, 0.019, 0.015}}};
+    {{upper_arm_right, shoulder, elbow, 0.058, 0.043, shirt},
+     {forearm_right, elbow, wrist, 0.043, 0.03, skin},
+     {hand_right, {0.02, 0.975, 0.475}, {0.035, 0.925, 0.505}, 0.036, 0.03, skin},
+     {hand_right, {0.035, 0.98, 0.47}, {0.075, 0.94, 0.485}, 0.019, 0.015, skin}}};
 
 constexpr std::array<Part, 6> right_leg{
-    {{thigh_right, hip, knee, 0.092, 0.06},
-     {shin_right, knee, {-0.012, 0.40, 0.092}, 0.058, 0.059},
-     {shin_right, {-0.012, 0.40, 0.092}, ankle, 0.059, 0.04},
-     {foot_right, ankle, ball, 0.042, 0.036},
-     {foot_right, {-0.045, 0.04, 0.092}, {0.05, 0.035, 0.097}, 0.042, 0.04},
-     {toes_right, ball, {0.195, 0.027, 0.104}, 0.035, 0.027}}};
+    {{thigh_right, hip, knee, 0.092, 0.06, trousers},
+     {shin_right, knee, {-0.012, 0.40, 0.092}, 0.058, 0.059, trousers},
+     {shin_right, {-0.012, 0.40, 0.092}, ankle, 0.059, 0.04, trousers},
+     {foot_right, ankle, ball, 0.042, 0.036, shoes},
+     {foot_right, {-0.045, 0.04, 0.092}, {0.05, 0.035, 0.097}, 0.042, 0.04, shoes},
+     {toes_right, ball, {0.195, 0.027, 0.104}, 0.035, 0.027, shoes}}};
 
 /// Signed distance of a part (Quilez' "round cone"): the larger ball, the smaller one, or the cone between.
 double distance(const Part& part, const glm::dvec3& p) {
@@ -81,47 +89,84 @@ double distance(const std::array<Part, n>& limb, const glm::dvec3& p, double ble
     return nearest;
 }
 
+/// A ball around a limb: a union with a limb farther away than its blend changes nothing.
+struct Ball {
+    glm::dvec3 centre;
+    double radius;
+
+    [[nodiscard]] double distance(const glm::dvec3& p) const { return glm::length(p - centre) - radius; }
+};
+constexpr Ball arm_ball{{0.01, 1.19, 0.34}, 0.36}, leg_ball{{0.03, 0.5, 0.09}, 0.56};
+
+/// The head's parts are smaller, so their seams are narrower.
 double body(const glm::dvec3& p) {
-    double whole = distance(trunk, p, 0.06);
+    double whole = distance(trunk, p, p.y > 1.55 ? 0.03 : 0.06 - 0.03 * glm::smoothstep(1.47, 1.55, p.y));
+    constexpr double blend = 0.045;
     for (const glm::dvec3& q : {p, mirrored(p)}) {
-        whole = smooth_union(whole, distance(right_arm, q, 0.02), 0.045);
-        whole = smooth_union(whole, distance(right_leg, q, 0.03), 0.045);
+        if (arm_ball.distance(q) < whole + blend)
+            whole = smooth_union(whole, distance(right_arm, q, 0.02), blend);
+        if (leg_ball.distance(q) < whole + blend)
+            whole = smooth_union(whole, distance(right_leg, q, 0.03), blend);
     }
     return whole;
 }
 
-/// Distance of every joint's own part of the body.
-std::array<double, joint_count> joint_distances(const glm::dvec3& p) {
-    std::array<double, joint_count> nearest;
-    nearest.fill(std::numeric_limits<double>::infinity());
-    const auto meet = [&](std::size_t joint, double d) { nearest[joint] = std::min(nearest[joint], d); };
-    for (const Part& part : trunk) meet(part.joint, distance(part, p));
-    for (const Part& part : right_arm) {
-        meet(part.joint, distance(part, p));
-        meet(part.joint + side_step, distance(part, mirrored(p)));
-    }
-    for (const Part& part : right_leg) {
-        meet(part.joint, distance(part, p));
-        meet(part.joint + side_step, distance(part, mirrored(p)));
-    }
-    return nearest;
+/// Calls `visit(part, joint, distance)` for every part of the body, left limbs with their own joints.
+template <typename Visit>
+void for_each_part(const glm::dvec3& p, Visit&& visit) {
+    for (const Part& part : trunk) visit(part, std::size_t{part.joint}, distance(part, p));
+    const auto visit_limb = [&](const auto& limb) {
+        for (const Part& part : limb) {
+            visit(part, std::size_t{part.joint}, distance(part, p));
+            visit(part, part.joint + side_step, distance(part, mirrored(p)));
+        }
+    };
+    visit_limb(right_arm);
+    visit_limb(right_leg);
 }
 
-/// Shares that sum to 1: those within `reach` metres of the nearest part, falling off quadratically.
-std::array<double, joint_count> shares(const std::array<double, joint_count>& distances, double reach) {
+// --- Skin ----------------------------------------------------------------------------------------
+
+using JointShares = std::array<double, joint_count>;
+
+/// Falls from 1 at the nearest part to 0 at those `reach` metres farther away.
+double nearness(double distance, double nearest, double reach) {
+    const double near = std::max(0.0, 1.0 - (distance - nearest) / reach);
+    return near * near;
+}
+
+/// Shares that sum to 1, by the distance of every joint's own parts of the body.
+JointShares joint_shares(const glm::dvec3& p) {
+    JointShares distances;
+    distances.fill(std::numeric_limits<double>::infinity());
+    for_each_part(p, [&](const Part&, std::size_t joint, double d) {
+        distances[joint] = std::min(distances[joint], d);
+    });
+
     const double nearest = *std::ranges::min_element(distances);
-    std::array<double, joint_count> share{};
-    double sum = 0.0;
-    for (std::size_t joint = 0; joint < joint_count; ++joint) {
-        const double near = std::max(0.0, 1.0 - (distances[joint] - nearest) / reach);
-        sum += share[joint] = near * near;
-    }
-    for (double& s : share) s /= sum;
-    return share;
+    JointShares shares;
+    std::ranges::transform(distances, shares.begin(), [&](double d) { return nearness(d, nearest, 0.07); });
+    const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+    for (double& share : shares) share /= sum;
+    return shares;
+}
+
+/// The nearest part's colour; clothes meet in narrow seams.
+glm::dvec3 color_at(const glm::dvec3& p) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for_each_part(p, [&](const Part&, std::size_t, double d) { nearest = std::min(nearest, d); });
+    glm::dvec3 sum(0.0);
+    double weight = 0.0;
+    for_each_part(p, [&](const Part& part, std::size_t, double d) {
+        const double near = nearness(d, nearest, 0.008);
+        sum += near * part.color;
+        weight += near;
+    });
+    return sum / weight;
 }
 
 /// The four largest shares as 16-bit weights.
-void pack_weights(const std::array<double, joint_count>& share, glm::u8vec4& joints, glm::u16vec4& weights) {
+void pack_weights(const JointShares& share, glm::u8vec4& joints, glm::u16vec4& weights) {
     std::array<std::size_t, joint_count> order;
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t joint) { return share[joint]; });
@@ -135,27 +180,6 @@ void pack_weights(const std::array<double, joint_count>& share, glm::u8vec4& joi
         left -= weight;
         weights[i] = static_cast<std::uint16_t>(weight);
         joints[i] = static_cast<std::uint8_t>(weight == 0 ? 0 : joint);
-    }
-}
-
-glm::dvec3 cloth_of(std::size_t joint) {
-    const glm::dvec3 skin(0.72, 0.42, 0.27), shirt(0.80, 0.26, 0.06), trousers(0.05, 0.10, 0.22),
-        shoes(0.75, 0.72, 0.66);
-    switch (joint < upper_arm_left ? joint : joint - side_step) {
-        case neck:
-        case head:
-        case forearm_right:
-        case hand_right:
-            return skin;
-        case spine:
-        case chest:
-        case upper_arm_right:
-            return shirt;
-        case foot_right:
-        case toes_right:
-            return shoes;
-        default:
-            return trousers;
     }
 }
 
@@ -187,16 +211,15 @@ const std::array<JointRest, joint_count>& rest_joints() {
 SkinnedShape make_figure(std::size_t triangles) {
     const Solid solid{.distance = body, .low = {-0.2, 0.0, -0.6}, .high = {0.3, 1.85, 0.6}};
     SkinnedShape figure{.shape = polygonise_to_count(solid, triangles, 0.12)};
-    for (const glm::vec3& position : figure.shape.positions) {
-        const auto distances = joint_distances(glm::dvec3(position));
-        pack_weights(shares(distances, 0.07), figure.joints.emplace_back(), figure.weights.emplace_back());
-
-        // Clothes meet in narrow seams.
-        const auto wears = shares(distances, 0.008);
-        glm::dvec3 color(0.0);
-        for (std::size_t joint = 0; joint < joint_count; ++joint) color += wears[joint] * cloth_of(joint);
-        figure.shape.colors.push_back(color_bytes(color));
-    }
+    const std::size_t vertex_count = figure.shape.positions.size();
+    figure.joints.resize(vertex_count);
+    figure.weights.resize(vertex_count);
+    figure.shape.colors.resize(vertex_count);
+    tbb::parallel_for(std::size_t{0}, vertex_count, [&](std::size_t vertex) {
+        const glm::dvec3 p(figure.shape.positions[vertex]);
+        pack_weights(joint_shares(p), figure.joints[vertex], figure.weights[vertex]);
+        figure.shape.colors[vertex] = color_bytes(color_at(p));
+    });
     return figure;
 }
 

@@ -132,7 +132,7 @@ WalkPose walk(double phase) {
     // Trunk. Lowest when both feet are down, and over the standing leg when only one is.
     const double two_steps = 2.0 * phase;
     pose.hips_position = rest[hips].position + glm::dvec3(0.008 * sin_turns(two_steps),
-                                                          -0.052 - 0.018 * cos_turns(two_steps - 0.1),
+                                                          -0.034 - 0.017 * cos_turns(two_steps - 0.1),
                                                           0.02 * sin_turns(phase));
     world[hips] = yaw(0.018 * cos_turns(phase)) * roll(-0.010 * sin_turns(phase + 0.05)) * pitch(-0.008);
     world[spine] = yaw(0.002 * cos_turns(phase)) * roll(0.002 * sin_turns(phase)) * pitch(-0.010);

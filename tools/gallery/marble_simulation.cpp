@@ -73,24 +73,28 @@ glm::dvec3 impulse(const glm::dvec3& approach, const glm::dvec3& normal, double 
 class Simulation {
 public:
     Simulation(const MarbleRun& run, const Bowl& bowl)
-        : bowl_(bowl), radius_(run.radius_m), step_s_(1.0 / (run.keys_per_second * steps_per_key)) {
-        // A loose column above the bowl, one marble every few centimetres.
+        : bowl_(bowl),
+          radius_(run.radius_m),
+          mouth_height_(run.mouth_height_m),
+          step_s_(1.0 / (run.keys_per_second * steps_per_key)) {
+        // A loose spiral in the chute, a marble every few centimetres, so that neighbours do not touch.
         Random random(run.seed);
-        double height = 1.3;
+        double height = run.mouth_height_m - 1.0;
         for (std::uint32_t i = 0; i < run.marble_count; ++i) {
-            const double reach = 0.55 * std::sqrt(random.between(0.0, 1.0)), turn = random.between(0.0, 1.0);
+            const double reach = random.between(0.20, 0.34), turn = 0.381966 * i + random.between(0.0, 0.04);
             marbles_.push_back(
                 {.position = {reach * cos_turns(turn), height, reach * sin_turns(turn)},
+                 .velocity = {0.0, -run.feed_speed_m_per_s, 0.0},
                  .spin = {random.between(-4, 4), random.between(-4, 4), random.between(-4, 4)},
                  .rotation = glm::normalize(
                      glm::dquat(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), 1.0))});
-            height += random.between(0.045, 0.075);
+            height += random.between(0.055, 0.07);
         }
     }
 
     void advance() {
         for (Marble& marble : marbles_) {
-            marble.velocity.y -= gravity * step_s_;
+            if (marble.position.y < mouth_height_) marble.velocity.y -= gravity * step_s_;
             marble.touches = false;
         }
         for (std::size_t i = 0; i < marbles_.size(); ++i)
@@ -155,7 +159,7 @@ private:
     }
 
     Bowl bowl_;
-    double radius_, step_s_;
+    double radius_, mouth_height_, step_s_;
     std::vector<Marble> marbles_;
 };
 

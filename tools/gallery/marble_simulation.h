@@ -29,11 +29,13 @@ struct MarbleRun {
     std::uint32_t marble_count = 110;
     double radius_m = 0.1;
     double duration_s = 5.0;
+    double mouth_height_m = 2.7;      ///< marbles come down a chute and fall freely from here
+    double feed_speed_m_per_s = 2.2;  ///< inside the chute
     int keys_per_second = 24;
     std::uint64_t seed = 2;
 };
 
-/// Lets the marbles fall and records them at every key time, 0 and `duration_s` included.
+/// Pours the marbles and records them at every key time, 0 and `duration_s` included.
 ///
 /// Impulses at contacts with restitution and Coulomb friction, so marbles roll; half-millisecond steps;
 /// rolling friction brings them to rest. Only additions, products and square roots in a fixed order: the

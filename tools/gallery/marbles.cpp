@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace gridreel::gallery {
@@ -56,7 +57,7 @@ Shape bowl_shape(const Bowl& bowl, std::uint32_t steps, std::uint32_t sectors) {
 
 void add_still_life(Document& document, const Bowl& bowl, std::uint32_t detail) {
     const Id cloth =
-        append(document.materials, {.name = "table", .base_color = {0.45, 0.36, 0.28}, .roughness = 0.9});
+        append(document.materials, {.name = "table", .base_color = {0.52, 0.40, 0.29}, .roughness = 0.9});
     const Shape table = backdrop({.half_width = 6.0,
                                   .front_z = 3.5,
                                   .wall_z = -4.0,
@@ -66,7 +67,7 @@ void add_still_life(Document& document, const Bowl& bowl, std::uint32_t detail) 
     add_mesh_node(document, "table", add_mesh(document, "table", table, cloth));
     const Id clay =
         append(document.materials, {.name = "clay", .base_color = {0.50, 0.66, 0.68}, .roughness = 0.35});
-    const Shape shape = bowl_shape(bowl, 1 + 2 * detail, 6 + 12 * detail);
+    const Shape shape = bowl_shape(bowl, 1 + 2 * detail, 6 + 22 * detail);
     add_mesh_node(document, "bowl", add_mesh(document, "bowl", shape, clay));
 }
 
@@ -77,27 +78,32 @@ glm::dvec3 swirl(const Glass& glass, const glm::dvec3& d) {
     return glm::mix(glass.body, glass.swirl, glm::smoothstep(0.35, 0.65, ribbon));
 }
 
-/// One mesh per glass; all share the sphere.
-std::array<Id, glasses.size()> add_marble_meshes(Document& document, std::uint32_t frequency,
-                                                 double radius_m) {
+/// Shows marbles `first` to `last`, their glasses in turn: one mesh per glass, one sphere for all.
+void add_marbles(Document& document, std::uint32_t first, std::uint32_t last, std::uint32_t frequency,
+                 double radius_m, Id material) {
+    if (first == last) return;
     const Shape sphere = geodesic_sphere(frequency, radius_m);
     const Id positions = add_positions(document, sphere.positions);
     const Id normals = add_normals(document, sphere.normals);
     const Id indices = add_indices(document, sphere.triangles, sphere.positions.size());
 
-    std::array<Id, glasses.size()> meshes{};
-    for (std::size_t i = 0; i < glasses.size(); ++i) {
-        std::vector<glm::u8vec4> colors;
-        for (const glm::vec3& normal : sphere.normals)
-            colors.push_back(color_bytes(swirl(glasses[i], glm::dvec3(normal))));
-        meshes[i] = append(document.meshes, Mesh{.name = glasses[i].name,
-                                                 .attributes = {{"POSITION", positions},
-                                                                {"NORMAL", normals},
-                                                                {"COLOR_0", add_colors(document, colors)}},
-                                                 .indices = indices,
-                                                 .material = static_cast<Id>(document.materials.size() - 1)});
+    std::array<std::optional<Id>, glasses.size()> meshes;
+    for (std::uint32_t marble = first; marble < last; ++marble) {
+        const Glass& glass = glasses[marble % glasses.size()];
+        std::optional<Id>& mesh = meshes[marble % glasses.size()];
+        if (!mesh) {
+            std::vector<glm::u8vec4> colors;
+            for (const glm::vec3& normal : sphere.normals)
+                colors.push_back(color_bytes(swirl(glass, glm::dvec3(normal))));
+            mesh = append(document.meshes, Mesh{.name = glass.name,
+                                                .attributes = {{"POSITION", positions},
+                                                               {"NORMAL", normals},
+                                                               {"COLOR_0", add_colors(document, colors)}},
+                                                .indices = indices,
+                                                .material = material});
+        }
+        add_mesh_node(document, "marble " + std::to_string(marble), *mesh);
     }
-    return meshes;
 }
 
 void add_motion(Document& document, Id first_node, const MarbleRun& run, const Bowl& bowl) {
@@ -141,25 +147,18 @@ Document make_marbles(std::size_t triangles) {
     const double budget = std::max(20.0, double(triangles) - double(triangle_count(document)));
     const MarbleRun run{.marble_count =
                             static_cast<std::uint32_t>(std::min(budget / 20.0, double(most_marbles)))};
-    const double count = double(run.marble_count);
-    const double frequency = std::floor(std::sqrt(budget / (20.0 * count)));
-    const double finer_count =
-        std::floor((budget / 20.0 - count * frequency * frequency) / (2.0 * frequency + 1.0) + 0.5);
+    const double count = double(run.marble_count), faces = budget / 20.0;
+    const auto frequency = static_cast<std::uint32_t>(std::sqrt(faces / count));
+    const double missing = faces - count * double(frequency) * double(frequency);
+    const auto finer_count = static_cast<std::uint32_t>(std::floor(missing / (2.0 * frequency + 1.0) + 0.5));
 
-    append(document.materials, {.name = "glass", .roughness = 0.15, .glow = 0.02});
-    const auto coarse = add_marble_meshes(document, static_cast<std::uint32_t>(frequency), run.radius_m);
-    const auto fine =
-        finer_count > 0.0
-            ? add_marble_meshes(document, static_cast<std::uint32_t>(frequency) + 1, run.radius_m)
-            : coarse;
+    const Id glass = append(document.materials, {.name = "glass", .roughness = 0.15, .glow = 0.02});
     const Id first_node = static_cast<Id>(document.nodes.size());
-    for (std::uint32_t i = 0; i < run.marble_count; ++i) {
-        const auto& meshes = double(i) < finer_count ? fine : coarse;
-        add_mesh_node(document, "marble " + std::to_string(i), meshes[i % glasses.size()]);
-    }
+    add_marbles(document, 0, finer_count, frequency + 1, run.radius_m, glass);
+    add_marbles(document, finer_count, run.marble_count, frequency, run.radius_m, glass);
     add_motion(document, first_node, run, bowl);
 
-    add_camera(document, {0.35, 3.15, 4.2}, {0.0, 0.42, 0.0}, 32.0, 50.0);
+    add_camera(document, {0.35, 3.0, 3.75}, {0.0, 0.52, 0.0}, 32.0, 50.0);
     const glm::dvec3 subject(0.0, 0.5, 0.0);
     add_light(document, "key", {-2.4, 4.6, 2.6}, subject, 0.95, {1.0, 0.95, 0.87});
     add_light(document, "fill", {3.6, 3.2, 2.2}, subject, 0.22, {0.78, 0.88, 1.0});

@@ -33,7 +33,7 @@ inline constexpr std::array<SceneMaker, 4> scene_makers{{
     {"marbles", "rigid spheres fall into a bowl", make_marbles, 56'000},
     {"walker", "a skinned figure walks", make_walker, 15'000},
     {"sheet", "a curtain in the wind, by morph targets", make_sheet, 7'000},
-    {"stadium", "a small rippling knot in a huge bowl", make_stadium, 7'500},
+    {"stadium", "a small rippling knot in a huge bowl", make_stadium, 7'200},
 }};
 
 }  // namespace gridreel::gallery

@@ -72,7 +72,7 @@ glm::dvec3 cloth_color(double u, double v) {
 void add_still_life(Document& document, std::uint32_t detail) {
     const Id wall =
         append(document.materials, {.name = "paper", .base_color = {0.42, 0.52, 0.56}, .roughness = 0.9});
-    const Shape paper = backdrop({.half_width = 3.3,
+    const Shape paper = backdrop({.half_width = 3.8,
                                   .front_z = 1.9,
                                   .wall_z = -1.3,
                                   .height = 3.3,
@@ -121,8 +121,8 @@ void add_still_life(Document& document, std::uint32_t detail) {
 Document make_sheet(std::size_t triangles) {
     Document document{.name = "sheet"};
 
-    // About a tenth of the triangles stand still.
-    const double still_budget = 0.1 * double(triangles);
+    // About a fifth of the triangles stand still.
+    const double still_budget = 0.2 * double(triangles);
     const auto detail = static_cast<std::uint32_t>(std::clamp(std::sqrt(still_budget / 280.0), 0.0, 6.0));
     add_still_life(document, detail);
 
@@ -135,7 +135,7 @@ Document make_sheet(std::size_t triangles) {
     const Id node = add_mesh_node(document, "cloth", add_morph_mesh(document, "cloth", cloth, size, silk));
     add_wave_weights(document, node, cycles, duration_s, 24 * cycles.back());
 
-    add_camera(document, {-0.9, 1.55, 5.6}, {0.0, 1.27, 0.0}, 31.0, 50.0);
+    add_camera(document, {-0.55, 1.5, 5.6}, {0.0, 1.2, 0.0}, 30.5, 50.0);
     const glm::dvec3 subject(0.0, 1.3, 0.0);
     add_light(document, "key", {-2.6, 4.2, 4.2}, subject, 0.95, {1.0, 0.94, 0.85});
     add_light(document, "fill", {4.0, 2.2, 4.5}, subject, 0.22, {0.75, 0.87, 1.0});

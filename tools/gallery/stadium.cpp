@@ -3,6 +3,7 @@
 #include "tools/gallery/mesh_shapes.h"
 #include "tools/gallery/morph_surface.h"
 #include "tools/gallery/packing.h"
+#include "tools/gallery/random.h"
 #include "tools/gallery/scenes.h"
 #include "tools/gallery/staging.h"
 #include "tools/gallery/travelling_wave.h"
@@ -20,12 +21,12 @@ namespace gridreel::gallery {
 namespace {
 
 constexpr double duration_s = 4.0;
-constexpr double knot_height_m = 1.35;
+constexpr double knot_height_m = 1.5;
 constexpr std::array<int, 2> cycles{1, 2};
 
 // --- The knot ------------------------------------------------------------------------------------
 
-constexpr double ring_m = 0.46, winding_m = 0.21, tube_m = 0.115;
+constexpr double ring_m = 0.44, winding_m = 0.2, tube_m = 0.098;
 
 /// A (2, 3) torus knot's tube: u along it, v around it. Targets ripple it along its normals.
 void knot_at(double u, double v, std::span<glm::dvec3> out) {
@@ -53,18 +54,12 @@ void knot_at(double u, double v, std::span<glm::dvec3> out) {
 /// Three turns through orange, rose and violet along the knot, paler on the side away from its torus.
 glm::dvec3 knot_color(double u, double v) {
     const double turn = 3.0 * u;
-    const glm::dvec3 ember(0.95, 0.30, 0.05), violet(0.30, 0.06, 0.48);
+    const glm::dvec3 ember(0.95, 0.24, 0.02), violet(0.22, 0.03, 0.45);
     const glm::dvec3 base = glm::mix(ember, violet, 0.5 - 0.5 * cos_turns(turn));
-    return glm::mix(base, glm::dvec3(1.0, 0.80, 0.55), 0.30 * (0.5 + 0.5 * cos_turns(v)));
+    return glm::mix(base, glm::dvec3(1.0, 0.80, 0.55), 0.15 * (0.5 + 0.5 * cos_turns(v)));
 }
 
 // --- The bowl ------------------------------------------------------------------------------------
-
-/// A ring of the stands between two ellipses, each sector flat and in its own colour.
-struct Tier {
-    double inner_m, inner_height_m, outer_m, outer_height_m;
-    glm::dvec3 even, odd;
-};
 
 constexpr double ellipse = 1.3;  ///< length over width
 
@@ -84,26 +79,46 @@ void add_flat_quad(Shape& shape, const std::array<glm::dvec3, 4>& corners, const
     join(shape, quad);
 }
 
+/// The stands' section, from the pitch up: radius and height where each ring ends, and who sits there.
+enum class Ring { track, wall, seats };
+struct RingEnd {
+    double radius_m, height_m;
+    Ring ring;
+};
+constexpr double pitch_radius_m = 44.0;
+constexpr std::array<RingEnd, 10> rings{{{46, 0, Ring::track},
+                                         {46, 2.2, Ring::wall},
+                                         {53, 6.2, Ring::seats},
+                                         {60, 10.6, Ring::seats},
+                                         {67, 15.4, Ring::seats},
+                                         {67, 19.0, Ring::wall},
+                                         {76, 26.5, Ring::seats},
+                                         {85, 34.6, Ring::seats},
+                                         {94, 43.3, Ring::seats},
+                                         {94, 49.0, Ring::wall}}};
+
 Shape stands(std::uint32_t sectors) {
-    const glm::dvec3 red(0.52, 0.07, 0.07), cream(0.75, 0.68, 0.55), blue(0.06, 0.16, 0.42),
-        grey(0.35, 0.36, 0.38);
-    const std::array<Tier, 6> tiers{{{44, 0, 46, 0, {0.42, 0.13, 0.07}, {0.42, 0.13, 0.07}},
-                                     {46, 0, 46, 2.2, cream, blue},
-                                     {46, 2.2, 70, 16, blue, 0.8 * blue},
-                                     {70, 16, 70, 21, grey, 0.9 * grey},
-                                     {70, 21, 98, 44, red, cream},
-                                     {98, 44, 98, 50, grey, 0.9 * grey}}};
+    const glm::dvec3 night(0.03, 0.07, 0.16), blue(0.05, 0.14, 0.34), teal(0.06, 0.22, 0.26),
+        red(0.36, 0.06, 0.06);
+    const std::array<glm::dvec3, 8> crowd{night, blue, teal, blue, night, teal, red, blue};
+    Random random(3);
     Shape shape;
-    for (const Tier& tier : tiers)
+    double inner = pitch_radius_m, inner_height = 0.0;
+    for (const RingEnd& end : rings) {
         for (std::uint32_t s = 0; s < sectors; ++s) {
             const double from = double(s) / double(sectors), to = double(s + 1) / double(sectors);
-            add_flat_quad(shape,
-                          {on_ellipse(tier.inner_m, tier.inner_height_m, to),
-                           on_ellipse(tier.inner_m, tier.inner_height_m, from),
-                           on_ellipse(tier.outer_m, tier.outer_height_m, from),
-                           on_ellipse(tier.outer_m, tier.outer_height_m, to)},
-                          s % 2 == 0 ? tier.even : tier.odd);
+            const glm::dvec3 color = end.ring == Ring::track  ? glm::dvec3(0.45, 0.13, 0.06)
+                                     : end.ring == Ring::wall ? glm::dvec3(s % 2 == 0 ? 0.62 : 0.50)
+                                                              : crowd[random.next() % crowd.size()];
+            add_flat_quad(
+                shape,
+                {on_ellipse(inner, inner_height, to), on_ellipse(inner, inner_height, from),
+                 on_ellipse(end.radius_m, end.height_m, from), on_ellipse(end.radius_m, end.height_m, to)},
+                color);
         }
+        inner = end.radius_m;
+        inner_height = end.height_m;
+    }
     return shape;
 }
 
@@ -155,10 +170,10 @@ Shape plinth(std::uint32_t sectors) {
     return lathe(profile, sectors);
 }
 
-/// `detail` 0 to 3; few triangles however many the knot has.
+/// `detail` 0 to 2; few triangles however many the knot has.
 void add_bowl(Document& document, std::uint32_t detail) {
     const Id paint_job = append(document.materials, {.name = "paint", .roughness = 0.9, .glow = 0.03});
-    const std::uint32_t sectors = 12u << std::min(detail, 2u);
+    const std::uint32_t sectors = 12u + 12u * detail;
     add_mesh_node(document, "stands", add_mesh(document, "stands", stands(sectors), paint_job));
     add_mesh_node(document, "pitch", add_mesh(document, "pitch", pitch(8 * (detail + 1)), paint_job));
     if (detail == 0) return;
@@ -168,7 +183,7 @@ void add_bowl(Document& document, std::uint32_t detail) {
     add_mesh_node(document, "plinth", add_mesh(document, "plinth", plinth(sectors), stone));
 }
 
-/// One turn of `node` about y within the clip.
+/// Turns `node` about y, as far as brings the knot onto itself.
 void add_turning(Document& document, Id node) {
     std::vector<float> times;
     std::vector<glm::dquat> keys;
@@ -176,7 +191,6 @@ void add_turning(Document& document, Id node) {
     for (int key = 0; key <= steps; ++key) {
         const double part = double(key) / steps;
         times.push_back(static_cast<float>(part * duration_s));
-        // A third of a turn brings the knot onto itself.
         keys.emplace_back(cos_turns(part / 6.0), 0.0, sin_turns(part / 6.0), 0.0);
     }
     document.channels.push_back({.node = node,
@@ -194,15 +208,21 @@ Document make_stadium(std::size_t triangles) {
     const std::size_t still = triangle_count(document);
     const MorphSurface knot{
         .at = knot_at, .color = knot_color, .target_count = 2 * cycles.size(), .aspect = 9.0, .wraps = true};
-    const Id lacquer = append(document.materials, {.name = "lacquer", .roughness = 0.3});
+    const Id lacquer = append(document.materials, {.name = "lacquer", .roughness = 0.3, .glow = 0.02});
     const GridSize size = choose_grid(triangles > still ? triangles - still : 18, knot.aspect, 3);
-    const Id node = add_mesh_node(document, "knot", add_morph_mesh(document, "knot", knot, size, lacquer),
-                                  {0.0, knot_height_m, 0.0});
+    const Id node = add_mesh_node(document, "knot", add_morph_mesh(document, "knot", knot, size, lacquer));
+    // Stood up, its axis towards the camera.
+    const double tilt_turns = 0.19;
+    document.nodes.push_back(
+        {.name = "stand",
+         .translation = {0.0, knot_height_m, 0.0},
+         .rotation = {cos_turns(0.5 * tilt_turns), sin_turns(0.5 * tilt_turns), 0.0, 0.0},
+         .children = {node}});
     add_wave_weights(document, node, cycles, duration_s, 24 * cycles.back());
     add_turning(document, node);
 
     const glm::dvec3 subject(0.0, knot_height_m, 0.0);
-    add_camera(document, {0.9, 2.35, 4.3}, {0.0, 1.1, 0.0}, 32.0, 500.0);
+    add_camera(document, {0.55, 1.45, 3.15}, {0.05, 1.45, 0.0}, 39.0, 500.0);
     add_light(document, "floodlight", {-60.0, 75.0, 60.0}, subject, 1.0, {1.0, 0.95, 0.86});
     add_light(document, "fill", {80.0, 40.0, 50.0}, subject, 0.25, {0.78, 0.88, 1.0});
     return document;

@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -51,20 +52,21 @@ public:
     /// Distances at the corners of slice z; only their sign counts far from the surface.
     void fill_slice(int z, std::vector<double>& distances) const {
         distances.resize(std::size_t(size_.x) * std::size_t(size_.y));
-        std::size_t next = 0;
-        for (int y = 0; y < size_.y; ++y)
+        tbb::parallel_for(0, size_.y, [&](int y) {
             for (int x = 0; x < size_.x; ++x) {
                 const glm::ivec3 b = glm::ivec3(x, y, z) / block;
                 const std::size_t index =
                     (std::size_t(b.z) * std::size_t(blocks_.y) + std::size_t(b.y)) * std::size_t(blocks_.x) +
                     std::size_t(b.x);
                 const int sign = block_sign_[index];
-                distances[next++] = sign != 0 ? double(sign) : solid_.distance(point(glm::dvec3(x, y, z)));
+                distances[std::size_t(y) * std::size_t(size_.x) + std::size_t(x)] =
+                    sign != 0 ? double(sign) : solid_.distance(point(glm::dvec3(x, y, z)));
             }
+        });
     }
 
 private:
-    static constexpr int block = 16;
+    static constexpr int block = 8;
 
     const Solid& solid_;
     double cell_;
@@ -89,11 +91,12 @@ public:
             std::swap(lower_, upper_);
             std::swap(vertex_in_cell_[0], vertex_in_cell_[1]);
         }
+        settle_vertices();
         return std::move(shape_);
     }
 
 private:
-    /// One vertex per crossed cell of layer z: the mean of its edges' crossings, moved onto the surface.
+    /// One vertex per crossed cell of layer z: the mean of its edges' crossings.
     void add_vertices(int z) {
         for (int y = 0; y + 1 < grid_.size().y; ++y)
             for (int x = 0; x + 1 < grid_.size().x; ++x) {
@@ -116,7 +119,7 @@ private:
                         crossings += 1.0;
                     }
                 vertex_in_cell_[1][i] = static_cast<std::uint32_t>(shape_.positions.size());
-                add_vertex(grid_.point(glm::dvec3(x, y, z) + sum / crossings));
+                shape_.positions.emplace_back(grid_.point(glm::dvec3(x, y, z) + sum / crossings));
             }
     }
 
@@ -124,18 +127,24 @@ private:
         return {double(bits & 1), double(bits / 2 & 1), double(bits / 4)};
     }
 
-    void add_vertex(glm::dvec3 p) {
-        const double step = 1e-3 * cell_;
-        for (int i = 0; i < 3; ++i) {
-            const glm::dvec3 slope = gradient(solid_, p, step);
-            const double steepness = glm::dot(slope, slope);
-            if (steepness < 1e-6) break;
-            const glm::dvec3 move = -(solid_.distance(p) / steepness) * slope;
-            const double length = glm::length(move);
-            p += move * std::min(1.0, 0.5 * cell_ / std::max(length, 1e-300));
-        }
-        shape_.positions.emplace_back(p);
-        shape_.normals.emplace_back(glm::normalize(gradient(solid_, p, step)));
+    /// Moves every vertex onto the surface, by Newton steps along the gradient, and finds its normal.
+    void settle_vertices() {
+        shape_.normals.resize(shape_.positions.size());
+        tbb::parallel_for(std::size_t{0}, shape_.positions.size(), [&](std::size_t vertex) {
+            glm::dvec3 p(shape_.positions[vertex]);
+            const double step = 1e-3 * cell_;
+            for (int i = 0; i < 3; ++i) {
+                const double distance = solid_.distance(p);
+                if (std::abs(distance) < 1e-5 * cell_) break;
+                const glm::dvec3 slope = gradient(solid_, p, step);
+                const double steepness = glm::dot(slope, slope);
+                if (steepness < 1e-6) break;
+                const glm::dvec3 move = -(distance / steepness) * slope;
+                p += move * std::min(1.0, 0.5 * cell_ / std::max(glm::length(move), 1e-300));
+            }
+            shape_.positions[vertex] = p;
+            shape_.normals[vertex] = glm::normalize(gradient(solid_, p, step));
+        });
     }
 
     /// A quad across each crossed edge whose four cells are in the layers below and at z.

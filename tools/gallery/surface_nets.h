@@ -10,7 +10,7 @@ namespace gridreel::gallery {
 
 /// A solid: negative inside, positive outside, never steeper than a true distance.
 struct Solid {
-    std::function<double(const glm::dvec3&)> distance;  ///< metres; called from one thread
+    std::function<double(const glm::dvec3&)> distance;  ///< metres; called from several threads
     glm::dvec3 low, high;                               ///< a box around it
 };
 

@@ -78,7 +78,7 @@ Id add_skeleton(Document& document) {
 
 void add_figure(Document& document, std::size_t triangles) {
     const SkinnedShape figure = make_figure(triangles);
-    const Id material = append(document.materials, {.name = "clay", .roughness = 0.55, .glow = 0.03});
+    const Id material = append(document.materials, {.name = "clay", .roughness = 0.55, .glow = 0.012});
     const Id mesh = add_mesh(document, "figure", figure.shape, material);
     document.meshes[mesh].attributes.emplace_back("JOINTS_0", add_joints(document, figure.joints));
     document.meshes[mesh].attributes.emplace_back("WEIGHTS_0", add_weights(document, figure.weights));
@@ -143,9 +143,9 @@ Document make_walker(std::size_t triangles) {
     add_figure(document, triangles > still ? triangles - still : 1);
 
     const Id hips_node = add_skeleton(document);
-    const Id camera = add_camera(document, {1.9, 1.45, 4.6}, {0.12, 0.93, 0.0}, 27.0, 50.0);
+    const Id camera = add_camera(document, {1.9, 1.4, 4.6}, {0.12, 0.93, 0.0}, 24.5, 50.0);
     const glm::dvec3 subject(0.0, 1.1, 0.0);
-    const Id key = add_light(document, "key", {3.0, 4.0, 2.8}, subject, 0.9, {1.0, 0.94, 0.85});
+    const Id key = add_light(document, "key", {3.0, 4.0, 2.8}, subject, 1.0, {1.0, 0.94, 0.85});
     const Id fill = add_light(document, "fill", {-3.0, 2.6, 3.4}, subject, 0.25, {0.75, 0.86, 1.0});
     const Id companion =
         append(document.nodes, {.name = "companion", .children = {hips_node, camera, key, fill}});
