@@ -1,0 +1,56 @@
+#include "sequences/frame_rate.h"
+
+#include "sequences/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace gridreel::sequences {
+namespace {
+
+std::optional<double> positive_number(std::string_view text) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    if (!std::isfinite(value) || value <= 0.0) return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+FrameRate parse_frame_rate(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    const bool ratio = slash != std::string_view::npos;
+    const auto numerator = positive_number(text.substr(0, slash));
+    const auto denominator = ratio ? positive_number(text.substr(slash + 1)) : std::optional{1.0};
+    if (numerator && denominator) {
+        const FrameRate rate{.numerator = *numerator, .denominator = *denominator};
+        if (rate.per_second() >= 0.001 && rate.per_second() <= 100'000.0) return rate;
+    }
+    throw UsageError(fmt::format("'{}' is not a frame rate", text), "--fps",
+                     "give frames per second from 0.001 to 100000, such as 24, 39.95 or 30000/1001");
+}
+
+std::string to_string(const FrameRate& rate) {
+    if (rate.denominator == 1.0) return fmt::format("{}", rate.numerator);
+    return fmt::format("{}/{}", rate.numerator, rate.denominator);
+}
+
+Frame last_frame(double duration_s, const FrameRate& rate) {
+    const double frames = std::max(duration_s, 0.0) * rate.numerator / rate.denominator;
+    const double rounding = std::max(1e-4, frames * double(std::numeric_limits<float>::epsilon()));
+    const double last = std::floor(frames + rounding);
+    if (!(last < double(max_frames))) {
+        throw UsageError(fmt::format("the clip lasts {} s, more than {} frames at {} fps", duration_s,
+                                     max_frames, to_string(rate)),
+                         "--frames", "name the frames to render");
+    }
+    return static_cast<Frame>(last);
+}
+
+}  // namespace gridreel::sequences

@@ -1,0 +1,94 @@
+#include "sequences/scene_info.h"
+
+#include "anim/frame_geometry.h"
+#include "anim/load.h"
+#include "sequences/fingerprint.h"
+
+#include <algorithm>
+
+namespace gridreel::sequences {
+namespace {
+
+const char* kind_of(const anim::Camera& camera) {
+    return camera.kind == anim::Camera::Kind::perspective ? "perspective" : "orthographic";
+}
+
+const char* kind_of(const anim::Light& light) {
+    switch (light.kind) {
+        case anim::Light::Kind::directional:
+            return "directional";
+        case anim::Light::Kind::point:
+            return "point";
+        case anim::Light::Kind::spot:
+            return "spot";
+    }
+    return "";
+}
+
+double duration_of(const anim::Animation& animation) {
+    double last_s = 0.0;
+    for (const anim::Channel& channel : animation.channels) {
+        last_s = std::max(last_s, double(animation.samplers[channel.sampler].times_s.back()));
+    }
+    return last_s;
+}
+
+void count_triangles(const anim::FrameGeometry& geometry, SceneInfo& info) {
+    info.vertices = geometry.positions.size();
+    info.moving_triangles = geometry.moving_triangles();
+    info.still_triangles = geometry.triangles.size() - info.moving_triangles;
+}
+
+void list_nodes(const anim::Scene& scene, const anim::Clip& clip, SceneInfo& info) {
+    for (const anim::Index index : anim::nodes_in_order(scene, clip)) {
+        const anim::Node& node = scene.nodes[index];
+        if (node.camera) {
+            const anim::Camera& camera = scene.cameras[*node.camera];
+            info.cameras.push_back({.node = node.name, .name = camera.name, .kind = kind_of(camera)});
+        }
+        if (node.light) {
+            const anim::Light& light = scene.lights[*node.light];
+            info.lights.push_back({.node = node.name, .name = light.name, .kind = kind_of(light)});
+        }
+    }
+}
+
+}  // namespace
+
+SceneInfo inspect(const Take& take) {
+    const anim::Scene scene = anim::load(take.scene_file);
+    const anim::Clip clip = choose_clip(scene, take);
+
+    SceneInfo info;
+    info.file = take.scene_file;
+    info.sha256 = scene_sha256(take.scene_file);
+    info.rate = take.rate;
+    info.scenes = scene.scenes.size();
+    info.scene = clip.scene;
+    info.duration_s = clip.duration_s;
+    info.last_frame = last_frame(clip.duration_s, take.rate);
+    info.bounds = anim::clip_bounds(scene, clip);
+    info.nodes = scene.nodes.size();
+    info.meshes = scene.meshes.size();
+    info.skins = scene.skins.size();
+    info.textures = scene.textures.size();
+    info.images = scene.images.size();
+    info.extensions_used = scene.extensions_used;
+    info.extensions_required = scene.extensions_required;
+    info.warnings = scene.warnings;
+    for (anim::Index i = 0; i < scene.animations.size(); ++i) {
+        const double duration_s = duration_of(scene.animations[i]);
+        info.animations.push_back(
+            {.name = scene.animations[i].name,
+             .duration_s = duration_s,
+             .last_frame = last_frame(duration_s, take.rate),
+             .plays = std::count(clip.animations.begin(), clip.animations.end(), i) > 0});
+    }
+    for (const anim::Mesh& mesh : scene.meshes) info.morph_targets += mesh.weights.size();
+    for (const anim::Material& material : scene.materials) info.materials.push_back(material.name);
+    list_nodes(scene, clip, info);
+    count_triangles(anim::lay_out(scene, clip), info);
+    return info;
+}
+
+}  // namespace gridreel::sequences

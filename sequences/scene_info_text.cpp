@@ -1,0 +1,133 @@
+#include "sequences/scene_info.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+namespace gridreel::sequences {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string label(const std::string& name, std::size_t number) {
+    return name.empty() ? fmt::format("(unnamed {})", number) : name;
+}
+
+/// One labelled entry of the page.
+template <class... Args>
+void line(std::string& page, std::string_view title, fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(page), "{:<12}", title);
+    fmt::format_to(std::back_inserter(page), format, std::forward<Args>(args)...);
+    page += '\n';
+}
+
+std::string names(const std::vector<std::string>& list) {
+    if (list.empty()) return "none";
+    std::vector<std::string> labels;
+    for (std::size_t i = 0; i < list.size(); ++i) labels.push_back(label(list[i], i));
+    return fmt::format("{}", fmt::join(labels, ", "));
+}
+
+void placed_lines(std::string& page, std::string_view title, const std::vector<PlacedInfo>& list) {
+    if (list.empty()) line(page, title, "none");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const PlacedInfo& placed = list[i];
+        line(page, i == 0 ? title : "", "{} {} ({}{})", i, label(placed.node, i), placed.kind,
+             placed.name.empty() ? "" : fmt::format(" '{}'", placed.name));
+    }
+}
+
+Json to_json(const std::vector<PlacedInfo>& list) {
+    Json json = Json::array();
+    for (const PlacedInfo& placed : list) {
+        json.push_back({{"node", placed.node}, {"name", placed.name}, {"kind", placed.kind}});
+    }
+    return json;
+}
+
+Json to_json(const anim::Box& box) {
+    if (box.empty()) return nullptr;
+    return {{"min", {box.min.x, box.min.y, box.min.z}}, {"max", {box.max.x, box.max.y, box.max.z}}};
+}
+
+}  // namespace
+
+std::string to_text(const SceneInfo& info) {
+    std::string page;
+    const std::string fps = to_string(info.rate);
+    line(page, "file", "{}", info.file.string());
+    line(page, "scene", "{} of {}", info.scene, info.scenes);
+    if (info.animations.empty()) line(page, "animations", "none");
+    for (std::size_t i = 0; i < info.animations.size(); ++i) {
+        const AnimationInfo& animation = info.animations[i];
+        line(page, i == 0 ? "animations" : "", "{} {}: {:.4g} s, frames 0-{} at {} fps{}", i,
+             label(animation.name, i), animation.duration_s, animation.last_frame, fps,
+             animation.plays ? ", plays" : "");
+    }
+    line(page, "clip", "{:.4g} s, frames 0-{} at {} fps", info.duration_s, info.last_frame, fps);
+    placed_lines(page, "cameras", info.cameras);
+    placed_lines(page, "lights", info.lights);
+    line(page, "triangles", "{} moving, {} still, {} vertices", info.moving_triangles, info.still_triangles,
+         info.vertices);
+    if (info.bounds.empty()) {
+        line(page, "bounds", "empty");
+    } else {
+        line(page, "bounds", "({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m over the clip",
+             info.bounds.min.x, info.bounds.min.y, info.bounds.min.z, info.bounds.max.x, info.bounds.max.y,
+             info.bounds.max.z);
+    }
+    line(page, "contents", "{} nodes, {} meshes, {} skins, {} morph targets, {} textures, {} images",
+         info.nodes, info.meshes, info.skins, info.morph_targets, info.textures, info.images);
+    line(page, "materials", "{}", names(info.materials));
+    line(page, "extensions", "used {}; required {}", names(info.extensions_used),
+         names(info.extensions_required));
+    for (const anim::Warning& warning : info.warnings)
+        line(page, "warning", "{}: {}", warning.where, warning.text);
+    return page;
+}
+
+std::string to_json_text(const SceneInfo& info) {
+    Json animations = Json::array();
+    for (const AnimationInfo& animation : info.animations) {
+        animations.push_back({{"name", animation.name},
+                              {"duration_s", animation.duration_s},
+                              {"frames", {0, animation.last_frame}},
+                              {"plays", animation.plays}});
+    }
+    Json warnings = Json::array();
+    for (const anim::Warning& warning : info.warnings) {
+        warnings.push_back({{"where", warning.where}, {"text", warning.text}});
+    }
+    const Json json{{"schema", "gridreel.info/1"},
+                    {"file", info.file.string()},
+                    {"sha256", info.sha256},
+                    {"scenes", info.scenes},
+                    {"scene", info.scene},
+                    {"fps", to_string(info.rate)},
+                    {"animations", std::move(animations)},
+                    {"duration_s", info.duration_s},
+                    {"frames", {0, info.last_frame}},
+                    {"cameras", to_json(info.cameras)},
+                    {"lights", to_json(info.lights)},
+                    {"triangles", {{"moving", info.moving_triangles}, {"still", info.still_triangles}}},
+                    {"vertices", info.vertices},
+                    {"bounds", to_json(info.bounds)},
+                    {"nodes", info.nodes},
+                    {"meshes", info.meshes},
+                    {"skins", info.skins},
+                    {"morph_targets", info.morph_targets},
+                    {"textures", info.textures},
+                    {"images", info.images},
+                    {"materials", info.materials},
+                    {"extensions_used", info.extensions_used},
+                    {"extensions_required", info.extensions_required},
+                    {"warnings", std::move(warnings)}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace gridreel::sequences

@@ -1,0 +1,49 @@
+#include "sequences/take.h"
+
+#include "sequences/errors.h"
+
+#include <fmt/format.h>
+
+namespace gridreel::sequences {
+namespace {
+
+void check_numbered(std::size_t frame_count, const FramePattern& output) {
+    if (frame_count <= 1 || output.has_number()) return;
+    throw UsageError(fmt::format("'{}' has no place for the number of {} frames", output.text(), frame_count),
+                     "--output", "add #### or %04d to the file name, or choose one frame with --frames");
+}
+
+}  // namespace
+
+anim::Clip choose_clip(const anim::Scene& scene, const Take& take) {
+    try {
+        return anim::choose_clip(scene, take.animation, take.scene);
+    } catch (const Error& error) {
+        throw UsageError(error.what(), "");
+    }
+}
+
+std::vector<Frame> choose_frames(const Take& take, const anim::Clip& clip, const FramePattern& output) {
+    const std::vector<Frame> frames =
+        take.frames ? *take.frames : frame_range(0, last_frame(clip.duration_s, take.rate));
+    check_numbered(frames.size(), output);
+    return frames;
+}
+
+void check_numbered(const Take& take, const FramePattern& output) {
+    if (take.frames) check_numbered(take.frames->size(), output);
+}
+
+std::string describe(const anim::Scene& scene, const anim::Clip& clip) {
+    if (clip.animations.empty()) return "no animation";
+    if (clip.animations.size() > 1) {
+        return fmt::format("{} animations together, {:.4g} s", clip.animations.size(), clip.duration_s);
+    }
+    const anim::Index number = clip.animations.front();
+    const std::string& name = scene.animations[number].name;
+    const std::string label =
+        name.empty() ? fmt::format("animation {}", number) : fmt::format("animation '{}'", name);
+    return fmt::format("{}, {:.4g} s", label, clip.duration_s);
+}
+
+}  // namespace gridreel::sequences

@@ -1,0 +1,41 @@
+#pragma once
+// Which frames of which animation of a file: asked for, and found.
+
+#include "anim/clip.h"
+#include "anim/scene.h"
+#include "sequences/frame_list.h"
+#include "sequences/frame_pattern.h"
+#include "sequences/frame_rate.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gridreel::sequences {
+
+/// What to play, as asked for.
+struct Take {
+    std::filesystem::path scene_file;
+    std::string animation = "auto";    ///< as `anim::choose_clip` takes it
+    std::optional<anim::Index> scene;  ///< of the file; absent: its default
+    FrameRate rate;
+    std::optional<std::vector<Frame>> frames;  ///< absent: the whole clip, last key included
+};
+
+/// `anim::choose_clip`, but a name that the file does not have is the caller's mistake.
+/// @throws UsageError
+[[nodiscard]] anim::Clip choose_clip(const anim::Scene& scene, const Take& take);
+
+/// The frames asked for, or 0 to the clip's last.
+/// @throws UsageError when there are several and `output` has no place for a number
+[[nodiscard]] std::vector<Frame> choose_frames(const Take& take, const anim::Clip& clip,
+                                               const FramePattern& output);
+
+/// The same rule before the file is loaded, as far as the frames are known.
+void check_numbered(const Take& take, const FramePattern& output);
+
+/// What a clip plays, for people: `animation "Walk", 2.5 s`; `all 3 animations, 4 s`; `no animation`.
+[[nodiscard]] std::string describe(const anim::Scene& scene, const anim::Clip& clip);
+
+}  // namespace gridreel::sequences
