@@ -1,0 +1,85 @@
+#include "sequences/build_info.h"
+#include "sequences/errors.h"
+#include "tools/command.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <map>
+
+namespace gridreel::tools {
+namespace {
+
+using sequences::UsageError;
+
+anim::Index parse_scene_number(const std::string& text) {
+    anim::Index number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) {
+        throw UsageError(fmt::format("'{}' is not a scene's number", text), "--scene",
+                         "give a number from 0, as gridreel info counts them");
+    }
+    return number;
+}
+
+}  // namespace
+
+void add_common_options(CLI::App& app, CommonOptions& options) {
+    const std::map<std::string, When> when{
+        {"auto", When::automatic}, {"always", When::always}, {"never", When::never}};
+    app.add_flag("-q,--quiet", options.console.quiet, "Errors only")->group("General");
+    app.add_flag("-v,--verbose", options.console.verbose, "Say more")->group("General");
+    app.add_option_function<std::string>(
+           "--color", [&options, when](const std::string& text) { options.console.color = when.at(text); },
+           "Coloured messages (NO_COLOR is obeyed)")
+        ->check(CLI::IsMember({"auto", "always", "never"}))
+        ->type_name("auto|always|never")
+        ->default_str("auto")
+        ->group("General");
+    app.add_option("--config", options.config, "Job file: TOML, keys are the long option names")
+        ->type_name("FILE")
+        ->group("General");
+    app.set_version_flag("--version", fmt::format("gridreel {}", sequences::version()))->group("General");
+    app.get_help_ptr()->group("General");
+}
+
+void add_take_options(CLI::App& app, TakeText& text, FrameOption frames) {
+    app.add_option("SCENE", text.scene_file, "Scene: .glb or .gltf")->type_name("");
+    if (frames == FrameOption::offered) {
+        app.add_option("-f,--frames", text.frames, "7, 1-240, 1-240x2, 1,5,10-20, -5--1")
+            ->type_name("LIST")
+            ->default_str("whole clip")
+            ->group("Time");
+    }
+    app.add_option("--fps", text.fps, "Frames per second; 30000/1001 too")
+        ->type_name("RATE")
+        ->capture_default_str()
+        ->group("Time");
+    app.add_option("--animation", text.animation,
+                   "NAME, number, all, none, or auto: all when their targets are disjoint, else the first")
+        ->type_name("CHOICE")
+        ->capture_default_str()
+        ->group("Time");
+    app.add_option("--scene", text.scene, "Number of the scene in the file")
+        ->type_name("N")
+        ->default_str("the file's default")
+        ->group("Time");
+}
+
+sequences::Take read_take(const TakeText& text) {
+    if (text.scene_file.empty()) {
+        throw UsageError("no scene is given", "SCENE", "name a .glb or .gltf file, or 'input' in a job file");
+    }
+    sequences::Take take;
+    take.scene_file = text.scene_file;
+    take.animation = text.animation;
+    take.rate = sequences::parse_frame_rate(text.fps);
+    if (!text.scene.empty()) take.scene = parse_scene_number(text.scene);
+    if (!text.frames.empty()) take.frames = sequences::parse_frame_list(text.frames);
+    return take;
+}
+
+}  // namespace gridreel::tools

@@ -1,0 +1,105 @@
+#include "tools/console.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace gridreel::tools {
+namespace {
+
+constexpr std::string_view clear_line = "\r\x1b[K";
+
+bool color_wanted(When when) {
+    if (when != When::automatic) return when == When::always;
+    const char* no_color = std::getenv("NO_COLOR");
+    const char* terminal = std::getenv("TERM");
+    return Console::on_terminal() && !(no_color && *no_color) && terminal &&
+           std::string_view(terminal) != "dumb";
+}
+
+}  // namespace
+
+Console::Console(const ConsoleOptions& options) : options_(options), color_(color_wanted(options.color)) {}
+
+bool Console::on_terminal() {
+    return isatty(STDERR_FILENO) == 1;
+}
+
+std::size_t Console::columns() {
+    winsize size{};
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return known ? size.ws_col : 80;
+}
+
+void Console::message(std::string_view kind, std::string_view color, std::string_view text) {
+    if (bar_shown_) fmt::print(stderr, "{}", clear_line);
+    bar_shown_ = false;
+    if (color_) {
+        fmt::print(stderr, "gridreel: \x1b[{}m{}:\x1b[0m {}\n", color, kind, text);
+    } else {
+        fmt::print(stderr, "gridreel: {}: {}\n", kind, text);
+    }
+}
+
+void Console::error(std::string_view text) {
+    message("error", "31", text);
+}
+
+void Console::warning(std::string_view text) {
+    if (!options_.quiet) message("warning", "33", text);
+}
+
+void Console::note(std::string_view text) {
+    if (!options_.quiet) message("note", "36", text);
+}
+
+void Console::detail(std::string_view text) {
+    if (options_.verbose && !options_.quiet) message("detail", "2", text);
+}
+
+void Console::result(std::string_view text) {
+    if (options_.quiet) return;
+    fmt::print("{}", text);
+    std::fflush(stdout);
+}
+
+void Console::line(std::string_view text) {
+    if (!options_.quiet) fmt::print(stderr, "{}\n", text);
+}
+
+void Console::bar(std::string_view text) {
+    if (options_.quiet) return;
+    fmt::print(stderr, "{}{}", clear_line, text);
+    std::fflush(stderr);
+    bar_shown_ = true;
+}
+
+void Console::end_bar() {
+    if (bar_shown_) fmt::print(stderr, "\n");
+    bar_shown_ = false;
+}
+
+void ProgressDisplay::started(const sequences::JobStart& start) {
+    console_.note(fmt::format("{}; {} frame{} of {}x{} pixels", start.clip, start.frames,
+                              start.frames == 1 ? "" : "s", start.width, start.height));
+    progress_.total = start.frames;
+    start_ = std::chrono::steady_clock::now();
+}
+
+void ProgressDisplay::frame_done(const sequences::FrameRecord& record) {
+    ++progress_.done;
+    progress_.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const bool as_bar = when_ == When::always || (when_ == When::automatic && Console::on_terminal());
+    if (record.failed()) {
+        if (report_failures_) console_.error(fmt::format("frame {}: {}", record.frame, record.error));
+    } else if (when_ != When::never && !as_bar) {
+        console_.line(sequences::progress_line(progress_, record));
+    }
+    // A cell is left free: writing into the last column makes some terminals wrap.
+    if (as_bar) console_.bar(sequences::progress_bar(progress_, record, Console::columns() - 1));
+}
+
+}  // namespace gridreel::tools

@@ -1,0 +1,82 @@
+// The `gridreel` command: reads the command line, runs a command, and turns what goes wrong into an exit
+// code.
+
+#include "sequences/errors.h"
+#include "tools/command.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+#include <array>
+#include <exception>
+#include <new>
+
+namespace {
+
+using namespace gridreel;
+using namespace gridreel::tools;
+
+/// Runs `work`; every exception of the program ends here.
+template <class Work>
+ExitCode with_exit_code(const ConsoleOptions& options, Work work) {
+    Console console(options);
+    const auto fail = [&](std::string_view text, ExitCode code) {
+        console.error(text);
+        return code;
+    };
+    try {
+        return work(console);
+    } catch (const sequences::UsageError& error) {
+        return fail(error.what(), ExitCode::usage);
+    } catch (const sequences::OutputError& error) {
+        return fail(error.what(), ExitCode::output);
+    } catch (const Error& error) {
+        return fail(error.what(), ExitCode::scene);
+    } catch (const std::bad_alloc&) {
+        return fail("out of memory; try a smaller --size", ExitCode::defect);
+    } catch (const std::exception& error) {
+        return fail(fmt::format("a defect in gridreel: {}", error.what()), ExitCode::defect);
+    }
+}
+
+ExitCode run(int argc, char** argv) {
+    CLI::App program("Renders animated glTF to image sequences, rebuilding its grid every frame.",
+                     "gridreel");
+    program.get_formatter()->column_width(34);
+    program.require_subcommand(1);
+    CommonOptions options;
+    add_common_options(program, options);
+    const std::array commands{add_render_command(program), add_info_command(program),
+                              add_bake_command(program)};
+    for (const Command& command : commands) add_common_options(*command.app, options);
+
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& help_or_version) {
+        return static_cast<ExitCode>(program.exit(help_or_version));
+    } catch (const CLI::ParseError& error) {
+        Console(options.console).error(fmt::format("{}; see gridreel --help", error.what()));
+        return ExitCode::usage;
+    }
+
+    for (const Command& command : commands) {
+        if (!program.got_subcommand(command.app)) continue;
+        // The job file may ask for colours and quiet, so it comes before the console that reports the rest.
+        const ExitCode configured = with_exit_code(options.console, [&](Console&) {
+            if (!options.config.empty()) apply_job_file(options.config, *command.app);
+            return ExitCode::done;
+        });
+        if (configured != ExitCode::done) return configured;
+        return with_exit_code(options.console,
+                              [&](Console& console) { return command.run(options, console); });
+    }
+    return ExitCode::usage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return static_cast<int>(run(argc, argv));
+}

@@ -1,0 +1,239 @@
+#include "sequences/build_info.h"
+#include "sequences/errors.h"
+#include "sequences/render_text.h"
+#include "sequences/run_job.h"
+#include "sequences/thread_count.h"
+#include "sequences/timing_table.h"
+#include "tools/command.h"
+#include "tools/interrupt.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace gridreel::tools {
+namespace {
+
+using sequences::Job;
+using sequences::JobResult;
+using sequences::UsageError;
+
+/// Options as written; `read_job` makes sense of them.
+struct RenderText {
+    TakeText take;
+    std::string output;
+    std::string camera = "auto";
+    std::string size = "1280x720";
+    std::int32_t samples = 4;
+    std::uint32_t seed = 0;
+    std::string lights = "auto";
+    std::string background = "0.18,0.18,0.18";
+    float exposure = 0.0f;
+    std::string aov;
+    std::string depth = "half";
+    std::string compression = "zip";
+    bool keep_going = false;
+    int threads = 0;
+    std::string accel = "grid";
+    std::string lambda = "auto";
+    std::int64_t max_cells = rebuild::ResolutionPolicy{}.max_cells;
+    std::string log;
+    std::string progress = "auto";
+};
+
+void add_picture_options(CLI::App& app, RenderText& text) {
+    const char* const group = "Picture";
+    app.add_option("--camera", text.camera,
+                   "NAME or number of a camera node, fit, or auto: the first, else fit")
+        ->type_name("CHOICE")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("-s,--size", text.size, "Pixels; 1280x takes the camera's aspect")
+        ->type_name("WxH")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--spp", text.samples, "Samples per pixel")
+        ->check(CLI::Range(1, 65'536))
+        ->type_name("N")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--seed", text.seed, "Of the sample pattern")
+        ->type_name("N")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--lights", text.lights,
+                   "The file's, or a default dome and key light; auto: the file's if any")
+        ->check(CLI::IsMember({"auto", "file", "default"}))
+        ->type_name("auto|file|default")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--background", text.background,
+                   "#rrggbb or #rrggbbaa (sRGB), three or four linear numbers R,G,B,A, or transparent")
+        ->type_name("COLOR")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--exposure", text.exposure, "Stops: pictures are multiplied by 2^exposure")
+        ->check(CLI::Range(-64.0f, 64.0f))
+        ->type_name("STOPS")
+        ->capture_default_str()
+        ->group(group);
+}
+
+void add_output_options(CLI::App& app, RenderText& text) {
+    const char* const group = "Output";
+    app.add_option("-o,--output", text.output, "Frames to write, .exr or .png; #### or %04d is the number")
+        ->type_name("PATTERN")
+        ->default_str("frames/SCENE.####.exr")
+        ->group(group);
+    app.add_option("--aov", text.aov, "Extra EXR channels: z (Z), n (N.X N.Y N.Z), all")
+        ->type_name("LIST")
+        ->default_str("none")
+        ->group(group);
+    app.add_option("--depth", text.depth, "EXR numbers; Z is always float")
+        ->check(CLI::IsMember({"half", "float"}))
+        ->type_name("half|float")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--compression", text.compression, "EXR, lossless: none, rle, zips, zip or piz")
+        ->type_name("NAME")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--log", text.log, "One JSON object per frame, appended")
+        ->type_name("FILE")
+        ->default_str("the output's folder/SCENE.jsonl")
+        ->group(group);
+    app.add_option("--progress", text.progress, "Bar: on a terminal (auto), always, or neither bar nor lines")
+        ->check(CLI::IsMember({"auto", "always", "never"}))
+        ->type_name("auto|always|never")
+        ->capture_default_str()
+        ->group(group);
+    app.add_flag("--keep-going", text.keep_going, "Go on after a frame that failed; exit 5")->group(group);
+}
+
+void add_machine_options(CLI::App& app, RenderText& text) {
+    const char* const group = "Machine";
+    std::vector<std::string> accels;
+    for (const auto kind : traversal::tracer_kinds()) accels.emplace_back(traversal::name_of(kind));
+    app.add_option("-j,--threads", text.threads, "Threads")
+        ->check(CLI::Range(1, 4096))
+        ->type_name("N")
+        ->default_str("all allowed")
+        ->group(group);
+    app.add_option("--accel", text.accel, fmt::format("Acceleration structure: {}", fmt::join(accels, ", ")))
+        ->check(CLI::IsMember(accels))
+        ->type_name("NAME")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--lambda", text.lambda, "Grid cells per triangle: a number, paper (5), or auto")
+        ->type_name("R")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--max-cells", text.max_cells, "Most grid cells")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 30))
+        ->type_name("N")
+        ->capture_default_str()
+        ->group(group);
+}
+
+engine::RenderSettings read_settings(const RenderText& text) {
+    const sequences::PictureSize size = sequences::parse_size(text.size);
+    engine::RenderSettings settings;
+    settings.width = size.width;
+    settings.height = size.height;
+    settings.samples = text.samples;
+    settings.seed = text.seed;
+    settings.camera = text.camera;
+    settings.background = sequences::parse_background(text.background);
+    settings.exposure_stops = text.exposure;
+    if (text.lights == "file") settings.lights = engine::LightChoice::file;
+    if (text.lights == "default") settings.lights = engine::LightChoice::standard;
+    settings.tracer.kind = traversal::tracer_kind(text.accel).value();
+    auto& resolution = settings.tracer.resolution;
+    resolution.lambda = sequences::parse_lambda(text.lambda, resolution.lambda);
+    resolution.max_cells = text.max_cells;
+    return settings;
+}
+
+Job read_job(const RenderText& text) {
+    Job job;
+    job.take = read_take(text.take);
+    job.output = text.output.empty() ? sequences::default_output(job.take.scene_file, ".exr")
+                                     : sequences::FramePattern(text.output);
+    job.image.format = sequences::image_format(job.output.extension());
+    job.image.depth = text.depth == "float" ? sequences::Depth::single_float : sequences::Depth::half_float;
+    job.image.compression = text.compression;
+    if (!text.aov.empty()) sequences::choose_aovs(text.aov, job.image);
+    job.log = text.log.empty() ? sequences::default_log(job.output, job.take.scene_file)
+                               : std::filesystem::path(text.log);
+    job.render = read_settings(text);
+    job.threads = text.threads > 0 ? text.threads : sequences::allowed_threads();
+    job.keep_going = text.keep_going;
+    return job;
+}
+
+/// Runs the job on as many threads as it may have.
+JobResult run_on_threads(const Job& job, sequences::JobObserver& observer) {
+    const auto threads = static_cast<std::size_t>(job.threads);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    tbb::task_arena arena(job.threads);
+    return arena.execute([&] { return sequences::run_job(job, observer, watch_for_interrupt()); });
+}
+
+void print_results(const Job& job, const JobResult& result, double elapsed_s, Console& console) {
+    const std::size_t written = result.frames.size() - result.failed_frames();
+    if (written == 0) return;
+    console.result(sequences::timing_table(result.frames));
+    console.result(fmt::format("{} frame{} in {:.2f} s ({:.2f} frames/s): {}\nlog: {}\n", written,
+                               written == 1 ? "" : "s", elapsed_s, double(written) / elapsed_s,
+                               job.output.text(), job.log.string()));
+}
+
+ExitCode render(const RenderText& text, Console& console) {
+    const Job job = read_job(text);
+    const When when = text.progress == "always"  ? When::always
+                      : text.progress == "never" ? When::never
+                                                 : When::automatic;
+    console.detail(fmt::format("{}, {} kernels, {} threads, log {}", sequences::cpu_name(),
+                               sequences::instruction_set(), job.threads, job.log.string()));
+
+    ProgressDisplay display(console, when, job.keep_going);
+    const JobResult result = run_on_threads(job, display);
+    console.end_bar();
+    print_results(job, result, display.progress().elapsed_s, console);
+    if (result.interrupted) {
+        console.note(
+            fmt::format("interrupted after {} of {} frames", result.frames.size(), display.progress().total));
+        return ExitCode::interrupted;
+    }
+    if (const std::size_t failed = result.failed_frames(); failed > 0) {
+        console.error(fmt::format("{} of {} frames failed; the log says why", failed, result.frames.size()));
+        return ExitCode::some_failed;
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Command add_render_command(CLI::App& program) {
+    CLI::App* const app =
+        program.add_subcommand("render", "Render frames of an animated scene to image files");
+    const auto text = std::make_shared<RenderText>();
+    add_take_options(*app, text->take, FrameOption::offered);
+    add_picture_options(*app, *text);
+    add_output_options(*app, *text);
+    add_machine_options(*app, *text);
+    return {.app = app,
+            .run = [text](const CommonOptions&, Console& console) { return render(*text, console); }};
+}
+
+}  // namespace gridreel::tools
