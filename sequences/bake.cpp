@@ -4,15 +4,14 @@
 #include "anim/load.h"
 #include "anim/pose.h"
 #include "sequences/errors.h"
-#include "sequences/pending_file.h"
 #include "sequences/ply.h"
 #include "sequences/render_camera.h"
+#include "sequences/whole_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <fstream>
 #include <span>
 #include <utility>
 #include <vector>
@@ -41,15 +40,6 @@ Json to_json(const engine::View& view, Frame frame, double time_s) {
     }
     json["aspect"] = view.half_width / view.half_height;
     return json;
-}
-
-void write_text(const std::string& text, const std::filesystem::path& file) {
-    PendingFile pending(file);
-    std::ofstream stream(pending.temporary(), std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) throw OutputError("the cameras cannot be written", file.string(), "check the folder");
-    pending.commit();
 }
 
 void check_bake(const BakeJob& job) {
@@ -97,7 +87,7 @@ BakeResult bake(const BakeJob& job, const BakeProgress& progress, const std::ato
     }
     const Json cameras{
         {"schema", "gridreel.cameras/1"}, {"camera", camera.name()}, {"frames", std::move(views)}};
-    write_text(cameras.dump(1, ' ', false, Json::error_handler_t::replace) + '\n', result.cameras);
+    write_whole_file(result.cameras, cameras.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
     return result;
 }
 

@@ -2,10 +2,12 @@
 
 #include "sequences/build_info.h"
 #include "sequences/errors.h"
-#include "sequences/pending_file.h"
+#include "sequences/whole_file.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -24,6 +26,11 @@ std::string_view name_of(engine::LightChoice lights) {
             return "default";
     }
     return "";
+}
+
+/// The number that was written, not the float nearest to it: 0.18 and not 0.18000000715255737.
+double as_written(float value) {
+    return std::stod(fmt::format("{}", value));
 }
 
 /// Names in the file need not be UTF-8; a log must be.
@@ -54,13 +61,15 @@ Json options_of(const RunRecord& run) {
             {"spp", render.samples},
             {"seed", render.seed},
             {"lights", name_of(render.lights)},
-            {"background", {background.r, background.g, background.b, background.a}},
-            {"exposure", render.exposure_stops},
+            {"background",
+             {as_written(background.r), as_written(background.g), as_written(background.b),
+              as_written(background.a)}},
+            {"exposure", as_written(render.exposure_stops)},
             {"aov", aovs_of(job.image)},
             {"depth", job.image.depth == Depth::half_float ? "half" : "float"},
             {"compression", job.image.compression},
             {"accel", traversal::name_of(render.tracer.kind)},
-            {"lambda", resolution.lambda},
+            {"lambda", as_written(resolution.lambda)},
             {"max-cells", resolution.max_cells},
             {"keep-going", job.keep_going}};
 }

@@ -1,13 +1,15 @@
 #include "sequences/image_writer.h"
 
 #include "sequences/errors.h"
-#include "sequences/pending_file.h"
+#include "sequences/whole_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <memory>
-#include <string>
+#include <span>
+#include <vector>
 
 namespace gridreel::sequences {
 namespace {
@@ -47,27 +49,28 @@ OIIO::ImageSpec describe(const Picture& picture, const ImageSettings& settings) 
     return spec;
 }
 
-[[noreturn]] void fail(const std::filesystem::path& file, std::string reason) {
-    while (!reason.empty() && (reason.back() == '\n' || reason.back() == '.')) reason.pop_back();
-    throw OutputError(fmt::format("the frame cannot be written ({})", reason), file.string(),
-                      "check the folder, its permissions and the free space");
+/// @return the file's bytes
+/// @throws OutputError
+std::vector<unsigned char> encode(const Picture& picture, const ImageSettings& settings,
+                                  const std::filesystem::path& file) {
+    const char* format = settings.format == ImageFormat::exr ? "openexr" : "png";
+    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(format);
+    // Into memory first: left to write files, the PNG writer does not notice a full disk.
+    OIIO::Filesystem::IOVecOutput bytes;
+    const bool written = out && out->set_ioproxy(&bytes) &&
+                         out->open(file.filename().string(), describe(picture, settings)) &&
+                         out->write_image(OIIO::TypeDesc::UNKNOWN, picture.pixels.data()) && out->close();
+    if (written) return bytes.buffer();
+    throw OutputError(
+        fmt::format("the frame cannot be encoded ({})", out ? out->geterror() : OIIO::geterror()),
+        file.string());
 }
 
 }  // namespace
 
 void write_image(const Picture& picture, const ImageSettings& settings, const std::filesystem::path& file) {
-    PendingFile pending(file);
-    const char* format = settings.format == ImageFormat::exr ? "openexr" : "png";
-    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(format);
-    if (!out) fail(file, OIIO::geterror());
-
-    const OIIO::ImageSpec spec = describe(picture, settings);
-    const bool written = out->open(pending.temporary().string(), spec) &&
-                         out->write_image(OIIO::TypeDesc::UNKNOWN, picture.pixels.data());
-    // Closed in any case, and asked: the last bytes may fail too.
-    const bool closed = out->close();
-    if (!written || !closed) fail(file, out->geterror());
-    pending.commit();
+    const std::vector<unsigned char> bytes = encode(picture, settings, file);
+    write_whole_file(file, std::as_bytes(std::span(bytes)));
 }
 
 void limit_image_threads(int threads) {

@@ -1,7 +1,6 @@
 #include "sequences/ply.h"
 
-#include "sequences/errors.h"
-#include "sequences/pending_file.h"
+#include "sequences/whole_file.h"
 
 #include <fmt/format.h>
 #include <glm/vec3.hpp>
@@ -11,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <string>
 
 namespace gridreel::sequences {
@@ -51,15 +49,7 @@ void write_ply(std::span<const glm::vec3> positions, std::span<const glm::vec3> 
         append(bytes, triangle);
     }
 
-    PendingFile pending(file);
-    std::ofstream stream(pending.temporary(), std::ios::binary);
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    if (!stream) {
-        throw OutputError("the mesh cannot be written", file.string(),
-                          "check the folder, its permissions and the free space");
-    }
-    pending.commit();
+    write_whole_file(file, bytes);
 }
 
 }  // namespace gridreel::sequences

@@ -7,9 +7,9 @@
 #include "sequences/frame_log.h"
 #include "sequences/frame_writer.h"
 #include "sequences/image_writer.h"
-#include "sequences/pending_file.h"
 #include "sequences/picture.h"
 #include "sequences/render_camera.h"
+#include "sequences/whole_file.h"
 
 #include <fmt/format.h>
 

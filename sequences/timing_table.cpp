@@ -52,14 +52,14 @@ std::string timing_table(std::span<const FrameRecord> records) {
         for (const FrameRecord* record : written) values.push_back(value(*record));
         return spread_of(std::move(values));
     };
-    std::string table = fmt::format("{:<10}{:>10}{:>10}{:>10}\n", "ms", "min", "median", "max");
+    std::string table = fmt::format("{:<14}{:>10}{:>10}{:>10}\n", "ms", "min", "median", "max");
     for (const Row& row : rows) {
         const Spread ms = spread(row.value);
-        table += fmt::format("{:<10}{:>10.2f}{:>10.2f}{:>10.2f}\n", row.name, ms.min, ms.median, ms.max);
+        table += fmt::format("{:<14}{:>10.2f}{:>10.2f}{:>10.2f}\n", row.name, ms.min, ms.median, ms.max);
     }
     const Spread share = spread(rebuild_share);
-    table += fmt::format("{:<10}{:>9.1f}%{:>9.1f}%{:>9.1f}%   of rebuild + trace\n", "rebuild",
-                         100.0 * share.min, 100.0 * share.median, 100.0 * share.max);
+    table += fmt::format("{:<14}{:>9.1f}%{:>9.1f}%{:>9.1f}%\n", "rebuild share", 100.0 * share.min,
+                         100.0 * share.median, 100.0 * share.max);
     return table;
 }
 

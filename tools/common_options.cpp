@@ -28,6 +28,9 @@ anim::Index parse_scene_number(const std::string& text) {
 }  // namespace
 
 void add_common_options(CLI::App& app, CommonOptions& options) {
+    // Again, so that it stands here rather than before a command's own options.
+    app.set_help_flag();
+    app.set_help_flag("-h,--help", "Print this")->group("General");
     const std::map<std::string, When> when{
         {"auto", When::automatic}, {"always", When::always}, {"never", When::never}};
     app.add_flag("-q,--quiet", options.console.quiet, "Errors only")->group("General");
@@ -35,15 +38,15 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
     app.add_option_function<std::string>(
            "--color", [&options, when](const std::string& text) { options.console.color = when.at(text); },
            "Coloured messages (NO_COLOR is obeyed)")
-        ->check(CLI::IsMember({"auto", "always", "never"}))
+        ->check(CLI::IsMember({"auto", "always", "never"}).description(""))
         ->type_name("auto|always|never")
         ->default_str("auto")
         ->group("General");
     app.add_option("--config", options.config, "Job file: TOML, keys are the long option names")
         ->type_name("FILE")
         ->group("General");
-    app.set_version_flag("--version", fmt::format("gridreel {}", sequences::version()))->group("General");
-    app.get_help_ptr()->group("General");
+    app.set_version_flag("--version", fmt::format("gridreel {}", sequences::version()), "Print the version")
+        ->group("General");
 }
 
 void add_take_options(CLI::App& app, TakeText& text, FrameOption frames) {
@@ -52,21 +55,21 @@ void add_take_options(CLI::App& app, TakeText& text, FrameOption frames) {
         app.add_option("-f,--frames", text.frames, "7, 1-240, 1-240x2, 1,5,10-20, -5--1")
             ->type_name("LIST")
             ->default_str("whole clip")
-            ->group("Time");
+            ->group("What to play");
     }
     app.add_option("--fps", text.fps, "Frames per second; 30000/1001 too")
         ->type_name("RATE")
         ->capture_default_str()
-        ->group("Time");
+        ->group("What to play");
     app.add_option("--animation", text.animation,
                    "NAME, number, all, none, or auto: all when their targets are disjoint, else the first")
         ->type_name("CHOICE")
         ->capture_default_str()
-        ->group("Time");
+        ->group("What to play");
     app.add_option("--scene", text.scene, "Number of the scene in the file")
         ->type_name("N")
         ->default_str("the file's default")
-        ->group("Time");
+        ->group("What to play");
 }
 
 sequences::Take read_take(const TakeText& text) {

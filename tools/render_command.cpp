@@ -63,7 +63,7 @@ void add_picture_options(CLI::App& app, RenderText& text) {
         ->capture_default_str()
         ->group(group);
     app.add_option("--spp", text.samples, "Samples per pixel")
-        ->check(CLI::Range(1, 65'536))
+        ->check(CLI::Range(1, 65'536).description(""))
         ->type_name("N")
         ->capture_default_str()
         ->group(group);
@@ -73,7 +73,7 @@ void add_picture_options(CLI::App& app, RenderText& text) {
         ->group(group);
     app.add_option("--lights", text.lights,
                    "The file's, or a default dome and key light; auto: the file's if any")
-        ->check(CLI::IsMember({"auto", "file", "default"}))
+        ->check(CLI::IsMember({"auto", "file", "default"}).description(""))
         ->type_name("auto|file|default")
         ->capture_default_str()
         ->group(group);
@@ -83,7 +83,7 @@ void add_picture_options(CLI::App& app, RenderText& text) {
         ->capture_default_str()
         ->group(group);
     app.add_option("--exposure", text.exposure, "Stops: pictures are multiplied by 2^exposure")
-        ->check(CLI::Range(-64.0f, 64.0f))
+        ->check(CLI::Range(-64.0f, 64.0f).description(""))
         ->type_name("STOPS")
         ->capture_default_str()
         ->group(group);
@@ -100,7 +100,7 @@ void add_output_options(CLI::App& app, RenderText& text) {
         ->default_str("none")
         ->group(group);
     app.add_option("--depth", text.depth, "EXR numbers; Z is always float")
-        ->check(CLI::IsMember({"half", "float"}))
+        ->check(CLI::IsMember({"half", "float"}).description(""))
         ->type_name("half|float")
         ->capture_default_str()
         ->group(group);
@@ -113,7 +113,7 @@ void add_output_options(CLI::App& app, RenderText& text) {
         ->default_str("the output's folder/SCENE.jsonl")
         ->group(group);
     app.add_option("--progress", text.progress, "Bar: on a terminal (auto), always, or neither bar nor lines")
-        ->check(CLI::IsMember({"auto", "always", "never"}))
+        ->check(CLI::IsMember({"auto", "always", "never"}).description(""))
         ->type_name("auto|always|never")
         ->capture_default_str()
         ->group(group);
@@ -125,12 +125,12 @@ void add_machine_options(CLI::App& app, RenderText& text) {
     std::vector<std::string> accels;
     for (const auto kind : traversal::tracer_kinds()) accels.emplace_back(traversal::name_of(kind));
     app.add_option("-j,--threads", text.threads, "Threads")
-        ->check(CLI::Range(1, 4096))
+        ->check(CLI::Range(1, 4096).description(""))
         ->type_name("N")
         ->default_str("all allowed")
         ->group(group);
     app.add_option("--accel", text.accel, fmt::format("Acceleration structure: {}", fmt::join(accels, ", ")))
-        ->check(CLI::IsMember(accels))
+        ->check(CLI::IsMember(accels).description(""))
         ->type_name("NAME")
         ->capture_default_str()
         ->group(group);
@@ -139,7 +139,7 @@ void add_machine_options(CLI::App& app, RenderText& text) {
         ->capture_default_str()
         ->group(group);
     app.add_option("--max-cells", text.max_cells, "Most grid cells")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 30))
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 30).description(""))
         ->type_name("N")
         ->capture_default_str()
         ->group(group);
