@@ -46,7 +46,7 @@ glm::dquat quaternion(const Values& v) {
     return {v[3], v[0], v[1], v[2]};
 }
 
-/// From `a`, a share of the turn that leads from `a` to `b`, about that turn's own axis.
+/// From `a`, a share of the turn that leads from `a` to `b`, about that turn's own axis. For unit keys.
 Values part_of_turn(const Values& a, const Values& b, double u) {
     const glm::dquat from = glm::normalize(quaternion(a));
     glm::dquat turn = glm::inverse(from) * glm::normalize(quaternion(b));

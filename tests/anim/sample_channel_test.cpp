@@ -137,6 +137,14 @@ TEST_CASE("rotation keys that are a little off unit length give unit rotations",
     CHECK(std::abs(glm::length(sample_rotation(sampler, 0.3)) - 1.0) < 1e-12);
 }
 
+TEST_CASE("rotation keys are interpolated as they stand and normalised afterwards", "[anim]") {
+    // Much too short a second key, to make it show: the formula sees an angle of arccos 0.5 = 60 degrees, so
+    // both keys weigh sin 30 / sin 60 = 0.57735 half way: (0, 0, 0.288675, 0.866025), 0.912871 long.
+    const Sampler sampler = keys(Interpolation::linear, 4, {0, 1}, {0, 0, 0, 1, 0, 0, 0.5f, 0.5f});
+
+    check_rotation(sample_rotation(sampler, 0.5), {0.948683, 0.0, 0.0, 0.316228}, 1e-6);
+}
+
 TEST_CASE("cubic rotations are splines of components, normalised", "[anim]") {
     // With zero tangents the second key weighs 1/2 at u = 1/2 and 5/32 at u = 1/4. At 1/4 that is
     // z = 0.110485, w = 0.954235 before the division by their length, 0.960610.
