@@ -131,8 +131,7 @@ Accessor resolve(const Place& place, const Place& root, std::span<const std::spa
                       .element = *std::find_if(element_types.begin(), element_types.end(),
                                                [&](const auto& type) { return type.name == type_name; }),
                       .normalized = place.boolean_or("normalized", false),
-                      .count = place.at("count").integer(),
-                      .sparse = {}};
+                      .count = place.at("count").integer()};
     if (accessor.normalized && (accessor.is_float() || accessor.component == ComponentType::uint32))
         place.at("normalized").refuse("floats and 32-bit integers cannot be normalized");
 

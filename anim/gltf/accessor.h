@@ -43,12 +43,12 @@ struct SparseElements {
 /// An accessor whose every byte is known to be there. Refers to the document's buffers.
 struct Accessor {
     ComponentType component = ComponentType::float32;
-    ElementType element;
+    ElementType element{};
     bool normalized = false;
     std::size_t count = 0;            ///< elements, >= 1
     const std::byte* data = nullptr;  ///< the first element; null: all zeros
     std::size_t stride = 0;           ///< bytes from one element to the next
-    SparseElements sparse;
+    SparseElements sparse{};
 
     [[nodiscard]] bool is(std::string_view element_name) const { return element.name == element_name; }
     [[nodiscard]] bool is_float() const { return component == ComponentType::float32; }

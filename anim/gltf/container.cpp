@@ -28,8 +28,7 @@ Container split_container(std::span<const std::byte> bytes, const std::string& f
     if (bytes.empty()) throw Error("the file is empty", file, "export it again");
 
     const bool is_binary = bytes.size() >= 4 && word(bytes, 0) == magic_gltf;
-    if (!is_binary)
-        return {.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, .binary = {}};
+    if (!is_binary) return {.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()}};
 
     // Header.
     if (bytes.size() < header_bytes + chunk_header_bytes)
@@ -46,7 +45,7 @@ Container split_container(std::span<const std::byte> bytes, const std::string& f
                     truncated);
 
     // Chunks: JSON first, BIN second; the rest belongs to extensions.
-    Container parts{.json = {}, .binary = {}, .is_binary = true, .trailing_bytes = bytes.size() - length};
+    Container parts{.is_binary = true, .trailing_bytes = bytes.size() - length};
     const auto body = bytes.first(length);
     std::size_t offset = header_bytes;
     for (std::size_t chunk = 0; chunk < 2 && body.size() - offset >= chunk_header_bytes; ++chunk) {

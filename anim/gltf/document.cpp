@@ -72,11 +72,12 @@ void Document::read_buffers() {
         if (uri) {
             if (auto embedded = decode_data_uri(uri->text(), *uri)) {
                 owned_.push_back(std::move(embedded->bytes));
-            } else if (auto beside = read_file(uri->text(), *uri)) {
-                owned_.push_back(std::move(*beside));
             } else {
-                uri->refuse(fmt::format("the buffer's file \"{}\" cannot be read", uri->text()),
-                            "put it beside the model");
+                auto beside = read_file(uri->text(), *uri);
+                if (!beside.refusal.empty())
+                    uri->refuse(beside.refusal,
+                                "put the buffer beside the model and name it by a relative URI");
+                owned_.push_back(std::move(beside.bytes));
             }
             bytes = owned_.back();
         } else if (i == 0 && is_binary_) {
@@ -96,19 +97,24 @@ std::span<const std::byte> Document::view(Index buffer_view) const {
     return view_bytes(root(), buffer_view, buffers_);
 }
 
-std::optional<std::vector<std::byte>> Document::read_file(std::string_view uri, const Place& place) {
-    const auto path = resolve_uri(uri, folder_, place);
+FileBytes Document::read_file(std::string_view uri, const Place& place) {
+    const UriTarget target = resolve_uri(uri, folder_);
+    if (!target.refusal.empty()) return {.refusal = target.refusal};
+
+    const FileBytes unreadable{.refusal = fmt::format("the file \"{}\" cannot be read", uri)};
     std::error_code failed;
-    if (!std::filesystem::is_regular_file(path, failed)) return {};
+    if (!std::filesystem::is_regular_file(target.path, failed)) return unreadable;
+    const std::size_t size = std::filesystem::file_size(target.path, failed);
+    if (failed) return unreadable;
 
     // One file read many times is paid for; the first time it counts as part of the model.
-    const std::size_t size = std::filesystem::file_size(path, failed);
-    if (failed) return {};
-    if (files_read_.insert(path).second)
+    if (files_read_.insert(target.path).second)
         budget_.add_bytes_read(size);
     else
         budget_.spend(size, place);
-    return read_bytes(path);
+    auto bytes = read_bytes(target.path);
+    if (!bytes) return unreadable;
+    return {.bytes = std::move(*bytes)};
 }
 
 std::vector<float> Document::floats(Index accessor, const Place& place) {

@@ -17,6 +17,12 @@
 
 namespace gridreel::anim::gltf {
 
+/// What reading a file brought: its bytes, or the reason why there are none.
+struct FileBytes {
+    std::vector<std::byte> bytes{};
+    std::string refusal{};  ///< empty: `bytes` are the file's
+};
+
 /// Everything the readers share while a file is turned into a scene. Not copied: `root()` refers to it.
 class Document {
 public:
@@ -39,10 +45,9 @@ public:
     [[nodiscard]] std::span<const Accessor> accessors() const { return accessors_; }
     [[nodiscard]] std::span<const std::byte> view(Index buffer_view) const;
 
-    /// The bytes of the file that a URI names; absent when there is no such file.
-    ///
-    /// @throws Error at `place` when the URI leads anywhere but into the file's folder
-    [[nodiscard]] std::optional<std::vector<std::byte>> read_file(std::string_view uri, const Place& place);
+    /// The bytes of the file that a URI names, if it leads to one inside the model's folder.
+    /// @throws Error at `place` when the budget does not allow it
+    [[nodiscard]] FileBytes read_file(std::string_view uri, const Place& place);
 
     /// The accessor's values as floats, or as unsigned integers.
     /// @throws Error at `place` when the budget does not allow it

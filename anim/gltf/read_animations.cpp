@@ -1,12 +1,14 @@
 #include "anim/gltf/read_animations.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace gridreel::anim::gltf {
@@ -74,14 +76,13 @@ Animation read_animation(Document& document, const Place& place) {
     animation.name = place.text_or("name", "");
     const Place samplers = place.at("samplers"), channels = place.at("channels");
     std::map<std::size_t, Index> kept;  // the file's sampler → ours
+    std::set<std::string> unknown_paths;
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const Place target = channels[i].at("target");
         const std::string& path_name = target.at("path").text();
         const auto path = path_named(path_name);
         if (!path) {
-            document.warn(
-                channels[i],
-                fmt::format("the animated path \"{}\" is not supported; its channel is left out", path_name));
+            unknown_paths.insert(path_name);
             continue;
         }
         const auto node = target.find_index("node");
@@ -92,6 +93,9 @@ Animation read_animation(Document& document, const Place& place) {
         if (is_new) animation.samplers.push_back(read_sampler(document, samplers[sampler], *path));
         animation.channels.push_back({.node = *node, .path = *path, .sampler = entry->second});
     }
+    if (!unknown_paths.empty())
+        document.warn(place, fmt::format("channels on paths that are not supported are left out: {}",
+                                         fmt::join(unknown_paths, ", ")));
     return animation;
 }
 

@@ -9,14 +9,16 @@ namespace {
 
 Image read_image(Document& document, const Place& place, std::size_t number) {
     Image image{.name = place.text_or("name", ""), .mime_type = place.text_or("mimeType", ""), .encoded = {}};
-    const auto uri = place.find("uri");
-    if (uri) {
+    std::string problem = "there are no bytes";
+    if (const auto uri = place.find("uri")) {
         if (auto embedded = decode_data_uri(uri->text(), *uri)) {
             image.encoded = std::move(embedded->bytes);
             if (image.mime_type.empty()) image.mime_type = embedded->mime_type;
         } else {
             if (image.name.empty()) image.name = uri->text();
-            if (auto bytes = document.read_file(uri->text(), *uri)) image.encoded = std::move(*bytes);
+            auto file = document.read_file(uri->text(), *uri);
+            image.encoded = std::move(file.bytes);
+            if (!file.refusal.empty()) problem = file.refusal;
         }
     } else if (const auto view = place.find("bufferView")) {
         const auto bytes = document.view(view->index());
@@ -26,7 +28,7 @@ Image read_image(Document& document, const Place& place, std::size_t number) {
 
     if (image.name.empty()) image.name = fmt::format("image {}", number);
     if (image.encoded.empty())
-        document.warn(place, fmt::format("the image \"{}\" cannot be read", image.name));
+        document.warn(place, fmt::format("the image \"{}\" is left out: {}", image.name, problem));
     return image;
 }
 

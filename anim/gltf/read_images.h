@@ -8,9 +8,11 @@
 
 namespace gridreel::anim::gltf {
 
-/// Every image's encoded bytes: from a buffer view, a data URI or a file. One that is not there is a warning.
+/// Every image's encoded bytes: from a buffer view, a data URI or a file. A file that is not there, or that
+/// the model may not name because it lies outside its folder, is left out with a warning: the rest can be
+/// shown.
 ///
-/// @throws Error for URIs that lead out of the file's folder or are malformed
+/// @throws Error for a malformed data URI
 [[nodiscard]] std::vector<Image> read_images(Document& document);
 
 }  // namespace gridreel::anim::gltf

@@ -106,13 +106,14 @@ std::vector<MorphTarget> read_targets(Document& document, const Place& primitive
 std::optional<Primitive> read_primitive(Document& document, const Place& place) {
     const auto topology = static_cast<Topology>(place.integer_or("mode", 4));
     const Place attributes = place.at("attributes");
-    if (!has_triangles(topology)) {
-        document.warn(place, "points and lines are not drawn");
-        return {};
-    }
     const auto position = attributes.find("POSITION");
     if (!position) {
         document.warn(place, "the primitive has no positions and is not drawn");
+        return {};
+    }
+    const auto indices = read_indices(document, place, document.accessors()[position->index()].count);
+    if (!has_triangles(topology)) {
+        document.warn(place, "points and lines are not drawn");
         return {};
     }
 
@@ -131,7 +132,6 @@ std::optional<Primitive> read_primitive(Document& document, const Place& place) 
     primitive.targets = read_targets(document, place, primitive);
     primitive.material = place.find_index("material");
 
-    const auto indices = read_indices(document, place, primitive.positions.size());
     if (!is_whole(topology, indices.size()))
         document.warn(place, fmt::format("{} indices do not make whole triangles", indices.size()));
     document.budget().spend(indices.size() * sizeof(glm::uvec3), place);

@@ -7,11 +7,10 @@
 #include <cctype>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace gridreel::anim::gltf {
 namespace {
-
-constexpr auto copy_beside = "copy the file beside the model and name it by a relative URI";
 
 constexpr std::array<std::int8_t, 256> base64_digits = [] {
     std::array<std::int8_t, 256> table{};
@@ -51,8 +50,8 @@ std::optional<int> hex_digit(char c) {
     return {};
 }
 
-/// RFC 3986, section 2.1.
-std::string percent_decode(std::string_view uri, const Place& place) {
+/// RFC 3986, section 2.1; absent when a % is not followed by two hexadecimal digits.
+std::optional<std::string> percent_decode(std::string_view uri) {
     std::string text;
     for (std::size_t i = 0; i < uri.size(); ++i) {
         if (uri[i] != '%') {
@@ -61,8 +60,7 @@ std::string percent_decode(std::string_view uri, const Place& place) {
         }
         const auto high = i + 1 < uri.size() ? hex_digit(uri[i + 1]) : std::nullopt;
         const auto low = i + 2 < uri.size() ? hex_digit(uri[i + 2]) : std::nullopt;
-        if (!high || !low)
-            place.refuse("the URI has a % that no two hexadecimal digits follow", "write a literal % as %25");
+        if (!high || !low) return {};
         text += static_cast<char>(*high * 16 + *low);
         i += 2;
     }
@@ -116,26 +114,27 @@ std::optional<DataUri> decode_data_uri(std::string_view uri, const Place& place)
     return DataUri{.mime_type = head.substr(0, head.find(';')), .bytes = std::move(*bytes)};
 }
 
-std::filesystem::path resolve_uri(std::string_view uri, const std::filesystem::path& folder,
-                                  const Place& place) {
-    if (uri.empty()) place.refuse("the URI is empty");
-    if (has_scheme(uri))
-        place.refuse("the URI has a scheme; only relative URIs and data URIs are read", copy_beside);
+UriTarget resolve_uri(std::string_view uri, const std::filesystem::path& folder) {
+    const auto refused = [](std::string why) { return UriTarget{.refusal = std::move(why)}; };
+    if (uri.empty()) return refused("the URI is empty");
+    if (has_scheme(uri)) return refused("the URI has a scheme; only relative URIs and data URIs are read");
 
-    const std::string relative = percent_decode(uri, place);
-    if (relative.find('\0') != relative.npos) place.refuse("the URI holds a zero byte");
-    if (relative.front() == '/' || relative.front() == '\\' || has_scheme(relative))
-        place.refuse("the URI is absolute", copy_beside);
-    if (climbs_out(relative)) place.refuse("the URI leads out of the model's folder", copy_beside);
+    const auto relative = percent_decode(uri);
+    if (!relative) return refused("the URI has a % that no two hexadecimal digits follow");
+    if (relative->find('\0') != relative->npos) return refused("the URI holds a zero byte");
+    if (relative->front() == '/' || relative->front() == '\\' || has_scheme(*relative))
+        return refused("the URI is absolute");
+    if (climbs_out(*relative)) return refused("the URI leads out of the model's folder");
 
     // Symbolic links may not lead out either.
     std::error_code failed;
     const auto home = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, failed);
-    const auto target = std::filesystem::weakly_canonical(home / relative, failed);
-    if (failed) place.refuse(fmt::format("the URI cannot be followed ({})", failed.message()));
+    if (failed) return refused(fmt::format("the model's folder cannot be found ({})", failed.message()));
+    const auto target = std::filesystem::weakly_canonical(home / *relative, failed);
+    if (failed) return refused(fmt::format("the URI cannot be followed ({})", failed.message()));
     if (!is_inside(target, home))
-        place.refuse("the URI leads out of the model's folder through a symbolic link", copy_beside);
-    return target;
+        return refused("the URI leads out of the model's folder through a symbolic link");
+    return {.path = target};
 }
 
 }  // namespace gridreel::anim::gltf

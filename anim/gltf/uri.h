@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace gridreel::anim::gltf {
 /// A `data:` URI taken apart (RFC 2397).
 struct DataUri {
     std::string_view mime_type;  ///< may be empty; refers to the URI
-    std::vector<std::byte> bytes;
+    std::vector<std::byte> bytes{};
 };
 
 /// The bytes of a base64 `data:` URI; absent when the URI has another form.
@@ -22,11 +23,16 @@ struct DataUri {
 /// @throws Error at `place` for a `data:` URI that is not base64
 [[nodiscard]] std::optional<DataUri> decode_data_uri(std::string_view uri, const Place& place);
 
-/// The file that a relative, percent-encoded URI names.
+/// Where a relative URI leads: a path, or the reason why it is not followed.
+struct UriTarget {
+    std::filesystem::path path{};
+    std::string refusal{};  ///< empty: `path` may be read
+};
+
+/// Follows a relative, percent-encoded URI. Schemes, absolute paths and paths that leave `folder` are
+/// refused.
 ///
 /// @param folder  the folder of the glTF file; nothing outside it can be named, through symbolic links either
-/// @throws Error at `place` for schemes, absolute paths and paths that leave `folder`
-[[nodiscard]] std::filesystem::path resolve_uri(std::string_view uri, const std::filesystem::path& folder,
-                                                const Place& place);
+[[nodiscard]] UriTarget resolve_uri(std::string_view uri, const std::filesystem::path& folder);
 
 }  // namespace gridreel::anim::gltf
