@@ -1,0 +1,86 @@
+#include "tests/cli/run_command.h"
+#include "tests/cli/tiny_scene.h"
+#include "tests/sequences/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+using namespace gridreel::test;
+using nlohmann::json;
+
+namespace {
+
+template <class T>
+std::vector<T> values(const std::string& bytes, std::size_t offset, std::size_t count) {
+    std::vector<T> result(count);
+    REQUIRE(offset + count * sizeof(T) <= bytes.size());
+    std::memcpy(result.data(), bytes.data() + offset, count * sizeof(T));
+    return result;
+}
+
+std::size_t header_end(const std::string& ply) {
+    const std::string end = "end_header\n";
+    REQUIRE(ply.find(end) != std::string::npos);
+    return ply.find(end) + end.size();
+}
+
+}  // namespace
+
+TEST_CASE("baked meshes hold the world-space triangles of their time", "[cli][bake]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    const Outcome outcome =
+        run_gridreel({"bake", "tiny.gltf", "-o", "out/####.ply", "--fps", "4"}, {.folder = folder.path()});
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    for (int frame = 0; frame <= 4; ++frame) {
+        const std::string ply = bytes_of(folder / ("out/000" + std::to_string(frame) + ".ply"));
+        CHECK(ply.starts_with("ply\nformat binary_little_endian 1.0\nelement vertex 6\n"));
+        const std::size_t data = header_end(ply);
+        const float x = 2.0f * float(frame) / 4.0f;  // two metres in a second
+        CHECK(values<float>(ply, data, 18) ==
+              std::vector<float>{x, 0, 0, x + 1, 0, 0, x, 1, 0, 0, 0, -1, 1, 0, -1, 0, 1, -1});
+        CHECK(ply[data + 72] == 3);
+        CHECK(values<std::uint32_t>(ply, data + 73, 3) == std::vector<std::uint32_t>{0, 1, 2});
+        CHECK(values<std::uint32_t>(ply, data + 86, 3) == std::vector<std::uint32_t>{3, 4, 5});
+        CHECK(ply.size() == data + 72 + 2 * 13);
+    }
+    CHECK_FALSE(std::filesystem::exists(folder / "out/0005.ply"));
+}
+
+TEST_CASE("baking writes down the render camera", "[cli][bake]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    REQUIRE(run_gridreel({"bake", "tiny.gltf", "-o", "out/####.ply", "-f", "1-2", "--fps", "4", "-s", "640x"},
+                         {.folder = folder.path()})
+                .exit_code == 0);
+    const json cameras = json::parse(bytes_of(folder / "out/tiny.cameras.json"));
+    CHECK(cameras["schema"] == "gridreel.cameras/1");
+    CHECK(cameras["camera"] == "Cam");
+    REQUIRE(cameras["frames"].size() == 2);
+    const json& second = cameras["frames"][1];
+    CHECK(second["frame"] == 2);
+    CHECK(second["time_s"] == 0.5);
+    CHECK(second["kind"] == "perspective");
+    CHECK(second["eye"] == json{1.0, 0.5, 5.0});
+    CHECK(second["forward"] == json{0.0, 0.0, -1.0});
+    CHECK(second["up"] == json{0.0, 1.0, 0.0});
+    CHECK(second["fov_y_rad"].get<double>() == Approx(0.8).margin(1e-6));
+    CHECK(second["aspect"].get<double>() == Approx(2.0));
+}
+
+TEST_CASE("normals are baked on request", "[cli][bake]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    REQUIRE(
+        run_gridreel({"bake", "tiny.gltf", "-o", "t.ply", "-f", "0", "--normals"}, {.folder = folder.path()})
+            .exit_code == 0);
+    const std::string ply = bytes_of(folder / "t.ply");
+    CHECK(ply.find("property float nz\n") != std::string::npos);
+    CHECK(ply.size() == header_end(ply) + 6 * 24 + 2 * 13);
+}

@@ -1,0 +1,35 @@
+#pragma once
+// Runs the built `gridreel` as its users do.
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gridreel::test {
+
+struct Outcome {
+    int exit_code = -1;  ///< 128 + the signal's number when a signal ended it
+    std::string out;
+    std::string err;
+};
+
+/// Where and how the command runs.
+struct Setting {
+    std::filesystem::path folder;                  ///< current folder
+    std::function<void(int process)> meanwhile{};  ///< called once it has started
+    bool terminal = false;                         ///< stderr is a terminal of 100 columns
+};
+
+/// Runs `gridreel` with `arguments` and waits for its end.
+[[nodiscard]] Outcome run_gridreel(const std::vector<std::string>& arguments, const Setting& setting);
+
+/// The objects of a JSON-lines file.
+[[nodiscard]] std::vector<nlohmann::json> read_log(const std::filesystem::path& file);
+
+/// Of those, the frames.
+[[nodiscard]] std::vector<nlohmann::json> frames_of(const std::filesystem::path& file);
+
+}  // namespace gridreel::test
