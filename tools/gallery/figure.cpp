@@ -55,9 +55,9 @@ constexpr std::array<Part, 6> right_leg{
     {{thigh_right, hip, knee, 0.092, 0.06, trousers},
      {shin_right, knee, {-0.012, 0.40, 0.092}, 0.058, 0.059, trousers},
      {shin_right, {-0.012, 0.40, 0.092}, ankle, 0.059, 0.04, trousers},
-     {foot_right, ankle, ball, 0.042, 0.036, shoes},
-     {foot_right, {-0.045, 0.04, 0.092}, {0.05, 0.035, 0.097}, 0.042, 0.04, shoes},
-     {toes_right, ball, {0.195, 0.027, 0.104}, 0.035, 0.027, shoes}}};
+     {foot_right, ankle, ball, 0.042, 0.031, shoes},
+     {foot_right, {-0.045, 0.04, 0.092}, {0.05, 0.036, 0.097}, 0.039, 0.036, shoes},
+     {toes_right, ball, {0.195, 0.027, 0.104}, 0.03, 0.026, shoes}}};
 
 /// Signed distance of a part (Quilez' "round cone"): the larger ball, the smaller one, or the cone between.
 double distance(const Part& part, const glm::dvec3& p) {
@@ -209,7 +209,7 @@ const std::array<JointRest, joint_count>& rest_joints() {
 }
 
 SkinnedShape make_figure(std::size_t triangles) {
-    const Solid solid{.distance = body, .low = {-0.2, 0.0, -0.6}, .high = {0.3, 1.85, 0.6}};
+    const Solid solid{.distance = body, .low = {-0.2, -0.03, -0.6}, .high = {0.3, 1.85, 0.6}};
     SkinnedShape figure{.shape = polygonise_to_count(solid, triangles, 0.12)};
     const std::size_t vertex_count = figure.shape.positions.size();
     figure.joints.resize(vertex_count);

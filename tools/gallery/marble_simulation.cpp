@@ -70,6 +70,12 @@ glm::dvec3 impulse(const glm::dvec3& approach, const glm::dvec3& normal, double 
     return push * normal - (drag / speed) * sliding;
 }
 
+/// Each component uniform in [-reach, reach). Braces: evaluated from left to right by every compiler.
+glm::dvec3 random_vector(Random& random, double reach) {
+    return glm::dvec3{random.between(-reach, reach), random.between(-reach, reach),
+                      random.between(-reach, reach)};
+}
+
 class Simulation {
 public:
     Simulation(const MarbleRun& run, const Bowl& bowl)
@@ -81,13 +87,13 @@ public:
         Random random(run.seed);
         double height = run.mouth_height_m - 1.0;
         for (std::uint32_t i = 0; i < run.marble_count; ++i) {
-            const double reach = random.between(0.20, 0.34), turn = 0.381966 * i + random.between(0.0, 0.04);
-            marbles_.push_back(
-                {.position = {reach * cos_turns(turn), height, reach * sin_turns(turn)},
-                 .velocity = {0.0, -run.feed_speed_m_per_s, 0.0},
-                 .spin = {random.between(-4, 4), random.between(-4, 4), random.between(-4, 4)},
-                 .rotation = glm::normalize(
-                     glm::dquat(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), 1.0))});
+            const double reach = random.between(0.20, 0.34);
+            const double turn = 0.381966 * i + random.between(0.0, 0.04);
+            const glm::dvec3 spin = random_vector(random, 4.0), axis = random_vector(random, 1.0);
+            marbles_.push_back({.position = {reach * cos_turns(turn), height, reach * sin_turns(turn)},
+                                .velocity = {0.0, -run.feed_speed_m_per_s, 0.0},
+                                .spin = spin,
+                                .rotation = glm::normalize(glm::dquat(1.0, axis))});
             height += random.between(0.055, 0.07);
         }
     }

@@ -100,10 +100,12 @@ Shape geodesic_sphere(std::uint32_t frequency, double radius_m) {
         };
         for (std::uint32_t row = 0; row < frequency; ++row)
             for (std::uint32_t i = 0; i + row < frequency; ++i) {
-                sphere.triangles.emplace_back(vertex(i, row), vertex(i + 1, row), vertex(i, row + 1));
+                // Named one by one: vertices are numbered in the order of these calls.
+                const std::uint32_t left = vertex(i, row), right = vertex(i + 1, row),
+                                    top = vertex(i, row + 1);
+                sphere.triangles.emplace_back(left, right, top);
                 if (i + row + 1 < frequency)
-                    sphere.triangles.emplace_back(vertex(i + 1, row), vertex(i + 1, row + 1),
-                                                  vertex(i, row + 1));
+                    sphere.triangles.emplace_back(right, vertex(i + 1, row + 1), top);
             }
     }
     return sphere;

@@ -15,7 +15,8 @@ struct Solid {
 };
 
 /// The solid's surface on a grid of cubes of side `cell_m`, vertices moved onto the surface, normals from
-/// the gradient. Closed wherever the solid is thicker than a cell.
+/// the gradient. Without holes; where the solid is only a cell or two thick, four triangles may meet at
+/// an edge.
 ///
 /// Time and memory follow the surface's area, not the volume: blocks of cells far from it are
 /// recognised by one distance each.

@@ -18,11 +18,12 @@ namespace gridreel::gallery {
 
 namespace {
 
-constexpr int key_count = 30;  ///< intervals of the cycle
+constexpr int key_count = 30;            ///< intervals of the cycle
+constexpr double slab_height_m = 0.012;  ///< of the path that the figure walks on
 
 // --- Still things --------------------------------------------------------------------------------
 
-/// The surroundings repeat after two strides' worth of nothing: one stride forward looks the same.
+/// What stands along the path repeats every stride, so that the end of the cycle looks like its start.
 void add_path(Document& document, std::uint32_t detail) {
     const Id paper =
         append(document.materials, {.name = "paper", .base_color = {0.50, 0.47, 0.40}, .roughness = 0.9});
@@ -41,7 +42,7 @@ void add_path(Document& document, std::uint32_t detail) {
         append(document.materials, {.name = "teal", .base_color = {0.05, 0.33, 0.34}, .roughness = 0.5});
     const Id gold =
         append(document.materials, {.name = "gold", .base_color = {0.85, 0.52, 0.12}, .roughness = 0.3});
-    const Id slab = add_mesh(document, "slab", box({-0.52, 0.0, -0.45}, {0.52, 0.012, 0.45}), slate);
+    const Id slab = add_mesh(document, "slab", box({-0.52, 0.0, -0.45}, {0.52, slab_height_m, 0.45}), slate);
     const std::array<glm::dvec2, 5> profile{
         {{0.17, 0.0}, {0.10, 0.08}, {0.085, 0.62}, {0.13, 0.70}, {0.0, 0.70}}};
     const Id post = add_mesh(document, "post", lathe(profile, 8 * detail), teal);
@@ -110,14 +111,15 @@ void add_walk(Document& document, Id first_joint, Id companion) {
 
     // Figure, camera and lights go forward together.
     const std::array<float, 2> ends{0.0f, static_cast<float>(cycle_duration_s)};
-    const std::array<glm::dvec3, 2> way{glm::dvec3(0.0), glm::dvec3(stride_m, 0.0, 0.0)};
+    const std::array<glm::dvec3, 2> way{glm::dvec3(0.0, slab_height_m, 0.0),
+                                        glm::dvec3(stride_m, slab_height_m, 0.0)};
     document.channels.push_back({.node = companion,
                                  .path = Path::translation,
                                  .times = add_times(document, ends),
                                  .values = add_translation_keys(document, way)});
 }
 
-/// The camera breathes a little: a slow nod to and fro.
+/// The camera sways a little, as if carried.
 void add_sway(Document& document, Id camera) {
     const glm::dvec3 middle = document.nodes[camera].translation;
     std::vector<float> times;
