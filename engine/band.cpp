@@ -48,12 +48,12 @@ BandReport Band::render(const Frame& frame, std::span<const Pixel> pixels, Film&
 
     const Stopwatch making_rays;
     make_camera_rays(frame, pixels);
-    report.trace_ms += making_rays.ms();
+    report.primary_ms += making_rays.ms();
 
     const TraceCost primary =
         opaque_hits_.closest(frame.tracer, camera_rays_, frame.scene, RayKind::camera, hits_);
     report.primary += primary.report;
-    report.trace_ms += primary.ms;
+    report.primary_ms += primary.ms;
 
     find_surfaces(frame);
     for (const PosedLight& light : frame.lighting.lights) add_light(frame, light, report);
@@ -107,7 +107,7 @@ void Band::add_light(const Frame& frame, const PosedLight& light, BandReport& re
 
     const Stopwatch making_rays;
     make_shadow_rays(light);
-    report.trace_ms += making_rays.ms();
+    report.shadow_ms += making_rays.ms();
     find_shadowed(frame, report);
 
     tbb::parallel_for(std::size_t{0}, sample_of_.size(), [&](std::size_t i) {
@@ -156,13 +156,13 @@ void Band::find_shadowed(const Frame& frame, BandReport& report) {
     if (!frame.cut_outs) {
         const Stopwatch tracing;
         report.shadow += frame.tracer.any_hits(shadow_rays_, occluded_);
-        report.trace_ms += tracing.ms();
+        report.shadow_ms += tracing.ms();
         return;
     }
     const TraceCost cost =
         opaque_hits_.closest(frame.tracer, shadow_rays_, frame.scene, RayKind::shadow, shadow_hits_);
     report.shadow += cost.report;
-    report.trace_ms += cost.ms;
+    report.shadow_ms += cost.ms;
     occluded_.resize(shadow_rays_.size());
     tbb::parallel_for(std::size_t{0}, shadow_rays_.size(), [&](std::size_t i) {
         occluded_[i] = shadow_hits_.triangle[i] != traversal::no_triangle;

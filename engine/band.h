@@ -34,7 +34,8 @@ struct Frame {
 
 struct BandReport {
     traversal::TraceReport primary, shadow;
-    double trace_ms = 0.0;  ///< making rays and tracing them
+    double primary_ms = 0.0;  ///< making camera rays and tracing them
+    double shadow_ms = 0.0;   ///< making shadow rays and tracing them
 };
 
 /// The memory of one band, reused by the next. Every sample's light is summed light by light, every pixel's

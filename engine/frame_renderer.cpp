@@ -170,8 +170,10 @@ FrameReport FrameRenderer::render(double time_s, Film& film) {
         const BandReport band = s.band.render(frame, pixels, film);
         report.primary += band.primary;
         report.shadow += band.shadow;
-        report.trace_ms += band.trace_ms;
+        report.primary_ms += band.primary_ms;
+        report.shadow_ms += band.shadow_ms;
     }
+    report.trace_ms = report.primary_ms + report.shadow_ms;
     report.shade_ms = making_pixels.ms() - report.trace_ms;
     return report;
 }

@@ -40,7 +40,9 @@ struct RenderSettings {
 struct FrameReport {
     double animate_ms = 0.0;  ///< pose and deform
     rebuild::BuildReport rebuild;
-    double trace_ms = 0.0;  ///< making rays, sorting, marching, intersecting
+    double trace_ms = 0.0;  ///< making rays, sorting, marching, intersecting: primary and shadow rays
+    double primary_ms = 0.0;
+    double shadow_ms = 0.0;
     double shade_ms = 0.0;  ///< the rest of making pixels
     std::size_t moving_triangles = 0;
     std::size_t still_triangles = 0;
