@@ -31,6 +31,7 @@ struct Command {
 [[nodiscard]] Command add_render_command(CLI::App& program);
 [[nodiscard]] Command add_info_command(CLI::App& program);
 [[nodiscard]] Command add_bake_command(CLI::App& program);
+[[nodiscard]] Command add_bench_command(CLI::App& program);
 
 /// -q -v --color --config --version.
 void add_common_options(CLI::App& app, CommonOptions& options);

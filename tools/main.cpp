@@ -3,6 +3,7 @@
 
 #include "sequences/errors.h"
 #include "tools/command.h"
+#include "traversal/simd_target.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdlib>
 #include <exception>
 #include <new>
 
@@ -41,6 +43,16 @@ ExitCode with_exit_code(const ConsoleOptions& options, Work work) {
     }
 }
 
+/// GRIDREEL_TARGET caps the instruction set of the kernels: to compare them, or to reproduce another
+/// machine's pixels.
+void obey_target_limit() {
+    const char* const wanted =
+        std::getenv("GRIDREEL_TARGET");  // NOLINT(concurrency-mt-unsafe): no thread yet
+    if (wanted == nullptr || traversal::limit_simd_target(wanted)) return;
+    throw sequences::UsageError(fmt::format("no kernels for '{}' on this machine", wanted), "GRIDREEL_TARGET",
+                                fmt::format("choose from {}", fmt::join(traversal::simd_targets(), ", ")));
+}
+
 ExitCode run(int argc, char** argv) {
     CLI::App program("Renders animated glTF to image sequences, rebuilding its grid every frame.",
                      "gridreel");
@@ -49,7 +61,7 @@ ExitCode run(int argc, char** argv) {
     CommonOptions options;
     add_common_options(program, options);
     const std::array commands{add_render_command(program), add_info_command(program),
-                              add_bake_command(program)};
+                              add_bake_command(program), add_bench_command(program)};
     for (const Command& command : commands) add_common_options(*command.app, options);
 
     try {
@@ -65,6 +77,7 @@ ExitCode run(int argc, char** argv) {
         if (!program.got_subcommand(command.app)) continue;
         // The job file may ask for colours and quiet, so it comes before the console that reports the rest.
         const ExitCode configured = with_exit_code(options.console, [&](Console&) {
+            obey_target_limit();
             if (!options.config.empty()) apply_job_file(options.config, *command.app);
             return ExitCode::done;
         });

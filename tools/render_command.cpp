@@ -6,6 +6,7 @@
 #include "sequences/timing_table.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
+#include "tools/picture_options.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -32,62 +33,16 @@ using sequences::UsageError;
 struct RenderText {
     TakeText take;
     std::string output;
-    std::string camera = "auto";
-    std::string size = "1280x720";
-    std::int32_t samples = 4;
-    std::uint32_t seed = 0;
-    std::string lights = "auto";
-    std::string background = "0.18,0.18,0.18";
-    float exposure = 0.0f;
+    PictureText picture;
     std::string aov;
     std::string depth = "half";
     std::string compression = "zip";
     bool keep_going = false;
     int threads = 0;
     std::string accel = "grid";
-    std::string lambda = "auto";
-    std::int64_t max_cells = rebuild::ResolutionPolicy{}.max_cells;
     std::string log;
     std::string progress = "auto";
 };
-
-void add_picture_options(CLI::App& app, RenderText& text) {
-    const char* const group = "Picture";
-    app.add_option("--camera", text.camera,
-                   "NAME or number of a camera node, fit, or auto: the first, else fit")
-        ->type_name("CHOICE")
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("-s,--size", text.size, "Pixels; 1280x takes the camera's aspect")
-        ->type_name("WxH")
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--spp", text.samples, "Samples per pixel")
-        ->check(CLI::Range(1, 65'536).description(""))
-        ->type_name("N")
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--seed", text.seed, "Of the sample pattern")
-        ->type_name("N")
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--lights", text.lights,
-                   "The file's, or a default dome and key light; auto: the file's if any")
-        ->check(CLI::IsMember({"auto", "file", "default"}).description(""))
-        ->type_name("auto|file|default")
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--background", text.background,
-                   "#rrggbb or #rrggbbaa (sRGB), three or four linear numbers R,G,B,A, or transparent")
-        ->type_name("COLOR")
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--exposure", text.exposure, "Stops: pictures are multiplied by 2^exposure")
-        ->check(CLI::Range(-64.0f, 64.0f).description(""))
-        ->type_name("STOPS")
-        ->capture_default_str()
-        ->group(group);
-}
 
 void add_output_options(CLI::App& app, RenderText& text) {
     const char* const group = "Output";
@@ -134,34 +89,6 @@ void add_machine_options(CLI::App& app, RenderText& text) {
         ->type_name("NAME")
         ->capture_default_str()
         ->group(group);
-    app.add_option("--lambda", text.lambda, "Grid cells per triangle: a number, paper (5), or auto")
-        ->type_name("R")
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--max-cells", text.max_cells, "Most grid cells")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 30).description(""))
-        ->type_name("N")
-        ->capture_default_str()
-        ->group(group);
-}
-
-engine::RenderSettings read_settings(const RenderText& text) {
-    const sequences::PictureSize size = sequences::parse_size(text.size);
-    engine::RenderSettings settings;
-    settings.width = size.width;
-    settings.height = size.height;
-    settings.samples = text.samples;
-    settings.seed = text.seed;
-    settings.camera = text.camera;
-    settings.background = sequences::parse_background(text.background);
-    settings.exposure_stops = text.exposure;
-    if (text.lights == "file") settings.lights = engine::LightChoice::file;
-    if (text.lights == "default") settings.lights = engine::LightChoice::standard;
-    settings.tracer.kind = traversal::tracer_kind(text.accel).value();
-    auto& resolution = settings.tracer.resolution;
-    resolution.lambda = sequences::parse_lambda(text.lambda, resolution.lambda);
-    resolution.max_cells = text.max_cells;
-    return settings;
 }
 
 Job read_job(const RenderText& text) {
@@ -175,7 +102,8 @@ Job read_job(const RenderText& text) {
     if (!text.aov.empty()) sequences::choose_aovs(text.aov, job.image);
     job.log = text.log.empty() ? sequences::default_log(job.output, job.take.scene_file)
                                : std::filesystem::path(text.log);
-    job.render = read_settings(text);
+    job.render = read_picture(text.picture);
+    job.render.tracer.kind = traversal::tracer_kind(text.accel).value();
     job.threads = text.threads > 0 ? text.threads : sequences::allowed_threads();
     job.keep_going = text.keep_going;
     return job;
@@ -229,9 +157,10 @@ Command add_render_command(CLI::App& program) {
         program.add_subcommand("render", "Render frames of an animated scene to image files");
     const auto text = std::make_shared<RenderText>();
     add_take_options(*app, text->take, FrameOption::offered);
-    add_picture_options(*app, *text);
+    add_picture_options(*app, text->picture);
     add_output_options(*app, *text);
     add_machine_options(*app, *text);
+    add_grid_options(*app, text->picture);
     return {.app = app,
             .run = [text](const CommonOptions&, Console& console) { return render(*text, console); }};
 }
