@@ -14,7 +14,7 @@ using namespace gridreel;
 
 namespace {
 
-constexpr anim::Camera right_angled{.name = {},
+const anim::Camera right_angled{.name = {},
                                     .kind = anim::Camera::Kind::perspective,
                                     .fov_y_rad = std::numbers::pi / 2,
                                     .aspect = {},

@@ -68,6 +68,16 @@ TEST_CASE("one thread and four give the same bits", "[engine]") {
     CHECK(with_threads(1) == with_threads(4));
 }
 
+TEST_CASE("every tracer gives the same bits", "[engine]") {
+    const anim::Scene scene = busy_scene();
+    engine::RenderSettings settings = busy_settings();
+    const Film naive = test::render(scene, settings);
+    for (const traversal::TracerKind kind : traversal::tracer_kinds()) {
+        settings.tracer.kind = kind;
+        CHECK(test::render(scene, settings).pixels == naive.pixels);
+    }
+}
+
 TEST_CASE("a renderer's second frame equals a fresh renderer's first", "[engine]") {
     const anim::Scene scene = busy_scene();
     engine::FrameRenderer renderer(scene, {}, busy_settings());
