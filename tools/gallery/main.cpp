@@ -10,19 +10,33 @@
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
 
 namespace {
 
 namespace gallery = gridreel::gallery;
 
+/// Writes beside the file first, so that a failure leaves neither half a scene nor harms an older one.
 void write_scene(const gallery::SceneMaker& scene, std::size_t triangles, const std::filesystem::path& file) {
     const gallery::Document document = scene.make(triangles);
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
-    std::ofstream out(file, std::ios::binary);
-    gallery::write_glb(document, out);
-    out.close();
-    if (!out)
-        throw gridreel::Error("cannot write the file", file.string(), "check the folder and the space left");
+    std::filesystem::path unfinished = file;
+    unfinished += ".part";
+    try {
+        std::ofstream out(unfinished, std::ios::binary);
+        gallery::write_glb(document, out);
+        out.close();
+        if (!out)
+            throw gridreel::Error("cannot write the file", file.string(),
+                                  "check the folder and the space left");
+        std::filesystem::rename(unfinished, file);
+    } catch (...) {
+        std::error_code ignored;
+        std::filesystem::remove(unfinished, ignored);
+        throw;
+    }
     std::cout << file.string() << ": " << gallery::triangle_count(document) << " triangles, "
               << std::filesystem::file_size(file) << " bytes\n";
 }
@@ -50,14 +64,14 @@ int main(int argc, char** argv) {
     auto* const scene_option = app.add_option("scene", name, "One scene; without it, all of them as bundled")
                                    ->check(CLI::IsMember(names));
     app.add_option("--triangles", triangles, "About how many triangles (default: as bundled)")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
+        ->check(CLI::Range(std::size_t{1}, std::size_t{60'000'000}))
         ->needs(scene_option);
     app.add_option("-o,--output", output, "File to write (default: SCENE.glb)")->needs(scene_option);
     app.add_option("--folder", folder, "Where all scenes go, each as SCENE/SCENE.glb")->capture_default_str();
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
+        return app.exit(error) == 0 ? 0 : 2;  // wrong usage
     }
 
     try {
@@ -74,7 +88,7 @@ int main(int argc, char** argv) {
         }
     } catch (const std::exception& error) {
         std::cerr << "make_gallery: " << error.what() << '\n';
-        return 1;
+        return 4;  // cannot write output
     }
     return 0;
 }

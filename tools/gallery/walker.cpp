@@ -26,7 +26,7 @@ constexpr double slab_height_m = 0.012;  ///< of the path that the figure walks 
 /// What stands along the path repeats every stride, so that the end of the cycle looks like its start.
 void add_path(Document& document, std::uint32_t detail) {
     const Id paper =
-        append(document.materials, {.name = "paper", .base_color = {0.50, 0.47, 0.40}, .roughness = 0.9});
+        append(document.materials, {.name = "paper", .base_color = {0.62, 0.53, 0.42}, .roughness = 0.9});
     const Shape floor = backdrop({.half_width = 9.0,
                                   .front_z = 2.6,
                                   .wall_z = -2.6,
