@@ -16,7 +16,7 @@ namespace {
 // --- Making the sizes --------------------------------------------------------------------------
 
 std::uint16_t quantised(float value) {
-    return static_cast<std::uint16_t>(value * 65535.0f + 0.5f);
+    return static_cast<std::uint16_t>(std::lround(value * 65535.0f));
 }
 
 std::uint16_t linearised(std::uint16_t encoded) {
@@ -166,7 +166,7 @@ glm::vec4 sample(const Pyramid& image, const anim::Texture& sampler, const glm::
     const auto last = static_cast<float>(image.levels.size() - 1);
     const float detail = std::min(std::log2(texels), last);
     if (sampler.mip_filter == anim::MipFilter::nearest) {
-        const auto level = static_cast<std::size_t>(detail + 0.5f);
+        const auto level = static_cast<std::size_t>(std::lround(detail));
         return filtered(image.levels[level], sampler, place, sampler.min_filter);
     }
     const auto finer = static_cast<std::size_t>(detail);

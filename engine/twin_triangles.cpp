@@ -20,7 +20,9 @@ struct Candidate {
     std::uint64_t key = 0;
     std::uint32_t triangle = 0;
 
-    friend auto operator<=>(const Candidate&, const Candidate&) = default;
+    friend bool operator<(const Candidate& a, const Candidate& b) {
+        return a.key != b.key ? a.key < b.key : a.triangle < b.triangle;
+    }
 };
 
 /// Finaliser of SplitMix64 (Steele, Lea & Flood 2014).

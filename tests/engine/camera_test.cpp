@@ -15,11 +15,11 @@ using namespace gridreel;
 namespace {
 
 const anim::Camera right_angled{.name = {},
-                                    .kind = anim::Camera::Kind::perspective,
-                                    .fov_y_rad = std::numbers::pi / 2,
-                                    .aspect = {},
-                                    .near_m = 0.5,
-                                    .far_m = 20.0};
+                                .kind = anim::Camera::Kind::perspective,
+                                .fov_y_rad = std::numbers::pi / 2,
+                                .aspect = {},
+                                .near_m = 0.5,
+                                .far_m = 20.0};
 
 void check_near(const glm::dvec3& a, const glm::dvec3& b) {
     CHECK(a.x == Approx(b.x).margin(1e-6));
