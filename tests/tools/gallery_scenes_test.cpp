@@ -51,7 +51,7 @@ TEST_CASE("a bundled scene takes at most 500 KB", "[gallery]") {
 
 TEST_CASE("from 2000 triangles on a scene has what was asked for within 2 %", "[gallery]") {
     for (const SceneMaker& scene : scene_makers)
-        for (const std::size_t wanted : {2'000, 3'001, 7'777, 20'000, 80'000}) {
+        for (const std::size_t wanted : {2'000u, 3'001u, 7'777u, 20'000u, 80'000u}) {
             INFO(scene.name << " " << wanted);
             const double count = double(triangle_count(scene.make(wanted)));
             CHECK(std::abs(count - double(wanted)) <= 0.02 * double(wanted));

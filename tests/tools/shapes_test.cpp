@@ -134,7 +134,7 @@ TEST_CASE("surface nets close a ball, on its surface, with its normals", "[galle
 }
 
 TEST_CASE("surface nets meet a wanted number of triangles", "[gallery]") {
-    for (const std::size_t wanted : {1'500, 30'000}) {
+    for (const std::size_t wanted : {1'500u, 30'000u}) {
         const double count = double(polygonise_to_count(ball(0.5), wanted, 0.3).triangles.size());
         CHECK(std::abs(count - double(wanted)) <= 0.02 * double(wanted));
     }
@@ -177,7 +177,7 @@ TEST_CASE("an ankle's skin belongs to shin and foot, not to the other leg", "[ga
 }
 
 TEST_CASE("a grid has about the triangles asked for, with quads about square", "[gallery]") {
-    for (const std::size_t wanted : {1'000, 10'000, 1'000'000}) {
+    for (const std::size_t wanted : {1'000u, 10'000u, 1'000'000u}) {
         const GridSize size = choose_grid(wanted, 2.0, 1);
         CHECK(std::abs(2.0 * size.columns * size.rows - double(wanted)) <= 0.01 * double(wanted));
         CHECK(double(size.columns) / size.rows == Approx(2.0).epsilon(0.12));

@@ -2,6 +2,7 @@
 
 #include "anim/error.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -190,7 +191,7 @@ void write_glb(const Document& document, std::ostream& out) {
 
     const std::size_t size = 12 + 8 + json.size() + 8 + binary_size;
     if (size > std::numeric_limits<std::uint32_t>::max())
-        throw Error("the scene takes " + std::to_string(size) + " bytes, and a .glb holds less than 4 GiB",
+        throw Error(fmt::format("the scene takes {} bytes, and a .glb holds less than 4 GiB", size),
                     document.name, "ask for fewer --triangles");
 
     constexpr std::uint32_t gltf_magic = 0x46546C67, json_type = 0x4E4F534A, binary_type = 0x004E4942;

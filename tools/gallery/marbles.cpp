@@ -7,13 +7,13 @@
 #include "tools/gallery/staging.h"
 #include "tools/gallery/turns.h"
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 
 namespace gridreel::gallery {
 
@@ -102,7 +102,7 @@ void add_marbles(Document& document, std::uint32_t first, std::uint32_t last, st
                                                 .indices = indices,
                                                 .material = material});
         }
-        add_mesh_node(document, "marble " + std::to_string(marble), *mesh);
+        add_mesh_node(document, fmt::format("marble {}", marble), *mesh);
     }
 }
 

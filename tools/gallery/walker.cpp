@@ -8,6 +8,8 @@
 #include "tools/gallery/staging.h"
 #include "tools/gallery/turns.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -49,10 +51,10 @@ void add_path(Document& document, std::uint32_t detail) {
     const Id ball = add_mesh(document, "ball", geodesic_sphere(2 * detail, 0.15), gold);
     for (int i = -4; i <= 4; ++i) {
         const double x = stride_m * double(i);
-        const std::string number = " " + std::to_string(i + 5);
-        add_mesh_node(document, "slab" + number, slab, {x, 0.0, 0.0});
-        add_mesh_node(document, "post" + number, post, {x + 0.3, 0.0, -1.15});
-        add_mesh_node(document, "ball" + number, ball, {x + 0.3, 0.83, -1.15});
+        const int number = i + 5;
+        add_mesh_node(document, fmt::format("slab {}", number), slab, {x, 0.0, 0.0});
+        add_mesh_node(document, fmt::format("post {}", number), post, {x + 0.3, 0.0, -1.15});
+        add_mesh_node(document, fmt::format("ball {}", number), ball, {x + 0.3, 0.83, -1.15});
     }
 }
 
