@@ -103,7 +103,7 @@ TEST_CASE("gallery frames look as they did, on every SIMD target", "[golden]") {
 }
 
 TEST_CASE("a missing triangle or a wrong normal would show in the golden frames", "[golden]") {
-    const Golden golden = goldens.front();
+    const Golden& golden = goldens.front();
     const anim::Scene scene = gallery_scene(golden.scene);
     const std::vector<std::byte> expected = read_pixels(project / "tests/golden" / (golden.scene + ".png"));
 
