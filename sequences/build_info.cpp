@@ -1,9 +1,7 @@
 #include "sequences/build_info.h"
 
-#include <hwy/highway.h>
 #include <sys/resource.h>
 
-#include <cstdint>
 #include <fstream>
 
 namespace gridreel::sequences {
@@ -27,13 +25,6 @@ std::string cpu_name() {
         if (const auto colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
     }
     return "unknown";
-}
-
-std::string instruction_set() {
-    // Better targets have lower bits; dispatch takes the best that is both compiled and supported.
-    const auto usable =
-        static_cast<std::int64_t>(hwy::SupportedTargets()) & static_cast<std::int64_t>(HWY_TARGETS);
-    return usable == 0 ? hwy::TargetName(HWY_STATIC_TARGET) : hwy::TargetName(usable & -usable);
 }
 
 std::size_t peak_memory_bytes() {

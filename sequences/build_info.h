@@ -11,9 +11,6 @@ namespace gridreel::sequences {
 [[nodiscard]] std::string_view compiler();  ///< "g++ 12.2.0"
 [[nodiscard]] std::string cpu_name();       ///< as the system calls it; "unknown" when it does not
 
-/// Of the vector kernels on this processor, by Highway's name: "AVX3", "AVX2", "SSE4".
-[[nodiscard]] std::string instruction_set();
-
 /// The largest memory this process has held so far, in bytes.
 [[nodiscard]] std::size_t peak_memory_bytes();
 

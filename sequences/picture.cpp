@@ -1,5 +1,7 @@
 #include "sequences/picture.h"
 
+#include "engine/srgb.h"
+
 #include <OpenImageIO/half.h>
 
 #include <algorithm>
@@ -88,7 +90,7 @@ struct SrgbSteps {
 
     SrgbSteps() {
         for (std::size_t code = 1; code < 256; ++code) {
-            at_least[code] = static_cast<float>(srgb_to_linear((double(code) - 0.5) / 255.0));
+            at_least[code] = engine::linear_from_srgb((float(code) - 0.5f) / 255.0f);
         }
         at_least[256] = 2.0f;  // beyond every clamped value
         std::size_t code = 0;
@@ -100,10 +102,6 @@ struct SrgbSteps {
 };
 
 }  // namespace
-
-double srgb_to_linear(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 std::uint8_t srgb_byte(float linear) {
     static const SrgbSteps steps;

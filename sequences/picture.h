@@ -37,7 +37,4 @@ void store(const engine::Film& film, const ImageSettings& settings, Picture& pic
 /// 8-bit sRGB of a linear value, clamped to [0, 1].
 [[nodiscard]] std::uint8_t srgb_byte(float linear);
 
-/// Linear value of an sRGB one, both in [0, 1].
-[[nodiscard]] double srgb_to_linear(double encoded);
-
 }  // namespace gridreel::sequences

@@ -1,7 +1,7 @@
 #include "sequences/render_text.h"
 
+#include "engine/srgb.h"
 #include "sequences/errors.h"
-#include "sequences/picture.h"
 
 #include <fmt/format.h>
 
@@ -34,8 +34,8 @@ std::optional<glm::vec4> parse_hex(std::string_view digits) {
         const char* const begin = digits.data() + i * 2;
         const auto [end, error] = std::from_chars(begin, begin + 2, byte, 16);
         if (error != std::errc{} || end != begin + 2) return std::nullopt;
-        const double encoded = byte / 255.0;
-        color[static_cast<int>(i)] = static_cast<float>(i < 3 ? srgb_to_linear(encoded) : encoded);
+        const float encoded = float(byte) / 255.0f;
+        color[static_cast<int>(i)] = i < 3 ? engine::linear_from_srgb(encoded) : encoded;
     }
     return color;
 }

@@ -10,13 +10,14 @@
 #include "sequences/picture.h"
 #include "sequences/render_camera.h"
 #include "sequences/whole_file.h"
+#include "traversal/simd_target.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <optional>
+#include <string>
 #include <utility>
 
 namespace gridreel::sequences {
@@ -46,7 +47,7 @@ RunRecord describe_run(const Job& job, const anim::Scene& scene, const anim::Cli
             .frames = frames,
             .width = renderer.width(),
             .height = renderer.height(),
-            .instruction_set = instruction_set()};
+            .instruction_set = std::string(traversal::simd_target())};
 }
 
 /// Everything that happens to a frame after rendering, on the writer's thread.

@@ -7,18 +7,19 @@
 #include "tools/command.h"
 #include "tools/interrupt.h"
 #include "tools/picture_options.h"
+#include "traversal/simd_target.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -109,6 +110,14 @@ Job read_job(const RenderText& text) {
     return job;
 }
 
+/// GRIDREEL_TARGET caps the instructions that kernels use, for tests and comparisons.
+void obey_target_variable() {
+    const char* const target = std::getenv("GRIDREEL_TARGET");
+    if (!target || traversal::limit_simd_target(target)) return;
+    throw UsageError(fmt::format("this machine has no kernels for '{}'", target), "GRIDREEL_TARGET",
+                     fmt::format("choose from {}", fmt::join(traversal::simd_targets(), ", ")));
+}
+
 /// Runs the job on as many threads as it may have.
 JobResult run_on_threads(const Job& job, sequences::JobObserver& observer) {
     const auto threads = static_cast<std::size_t>(job.threads);
@@ -128,11 +137,12 @@ void print_results(const Job& job, const JobResult& result, double elapsed_s, Co
 
 ExitCode render(const RenderText& text, Console& console) {
     const Job job = read_job(text);
+    obey_target_variable();
     const When when = text.progress == "always"  ? When::always
                       : text.progress == "never" ? When::never
                                                  : When::automatic;
     console.detail(fmt::format("{}, {} kernels, {} threads, log {}", sequences::cpu_name(),
-                               sequences::instruction_set(), job.threads, job.log.string()));
+                               traversal::simd_target(), job.threads, job.log.string()));
 
     ProgressDisplay display(console, when, job.keep_going);
     const JobResult result = run_on_threads(job, display);

@@ -55,6 +55,7 @@ std::string read_terminal(int terminal) {
     std::signal(SIGINT, SIG_DFL);
     unsetenv("NO_COLOR");
     setenv("TERM", "xterm", 1);
+    for (const std::string& variable : setting.variables) putenv(const_cast<char*>(variable.c_str()));
     std::vector<char*> argv{const_cast<char*>("gridreel")};
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);

@@ -20,6 +20,7 @@ struct Outcome {
 struct Setting {
     std::filesystem::path folder;                  ///< current folder
     std::function<void(int process)> meanwhile{};  ///< called once it has started
+    std::vector<std::string> variables{};          ///< of the environment, `NAME=value`
     bool terminal = false;                         ///< stderr is a terminal of 100 columns
 };
 

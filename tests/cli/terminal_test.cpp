@@ -58,5 +58,7 @@ TEST_CASE("messages are coloured on a terminal unless forbidden", "[cli][termina
     CHECK(error({}, true).find("\x1b[31m") != std::string::npos);
     CHECK(error({"--color", "never"}, true).find('\x1b') == std::string::npos);
     CHECK(error({}, false).find('\x1b') == std::string::npos);
+    const Setting plain{.folder = "/", .variables = {"NO_COLOR=1"}, .terminal = true};
+    CHECK(run_gridreel({"info", "missing.glb"}, plain).err.find('\x1b') == std::string::npos);
     CHECK(error({"--color", "always"}, false).find("\x1b[31m") != std::string::npos);
 }
