@@ -13,12 +13,10 @@ namespace {
 
 using sequences::UsageError;
 
-constexpr std::string_view scene_key = "scene";
-constexpr std::string_view scene_number_key = "scene-number";
+constexpr std::string_view scene_key = "input";
 
 CLI::Option* find_option(CLI::App& app, const std::string& key) {
     if (key == scene_key) return app.get_option_no_throw("SCENE");
-    if (key == scene_number_key) return app.get_option_no_throw("--scene");
     CLI::Option* const option = app.get_option_no_throw("--" + key);
     const bool settable =
         option && option != app.get_help_ptr() && option != app.get_version_ptr() && key != "config";
@@ -44,7 +42,7 @@ void apply_job_file(const std::filesystem::path& file, CLI::App& app) {
         if (!option) {
             throw UsageError(
                 fmt::format("unknown key '{}'", entry.key), where,
-                fmt::format("use long option names of 'gridreel {} --help', and scene for the file",
+                fmt::format("use long option names of 'gridreel {} --help', and input for the scene file",
                             app.get_name()));
         }
         if (option->count() > 0) continue;  // the command line wins

@@ -54,9 +54,9 @@ void add_take_options(CLI::App& app, TakeText& text, FrameOption frames);
 [[nodiscard]] sequences::Take read_take(const TakeText& text);
 
 /// Gives the options of `app` that the command line leaves open the values of a job file: keys of the
-/// section named like the command, and those before any section. A key is an option's long name, but
-/// `scene` is the SCENE file, found beside the job file, and `scene-number` the option --scene. Whatever is
-/// written goes where it would without the file: relative to the current folder.
+/// section named like the command, and those before any section. A key is an option's long name;
+/// `input` is the SCENE file, found beside the job file. Whatever is written goes where it would without
+/// the file: relative to the current folder.
 ///
 /// @throws sequences::UsageError for unknown keys and values that do not fit, with file and line
 void apply_job_file(const std::filesystem::path& file, CLI::App& app);

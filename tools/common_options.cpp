@@ -43,7 +43,7 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
         ->default_str("auto")
         ->group("General");
     app.add_option("--config", options.config,
-                   "Job file: TOML with the long option names, and scene = \"FILE\"")
+                   "Job file: TOML with the long option names, and input = \"SCENE\"")
         ->type_name("FILE")
         ->group("General");
     app.set_version_flag("--version", fmt::format("gridreel {}", sequences::version()), "Print the version")
@@ -75,7 +75,7 @@ void add_take_options(CLI::App& app, TakeText& text, FrameOption frames) {
 
 sequences::Take read_take(const TakeText& text) {
     if (text.scene_file.empty()) {
-        throw UsageError("no scene is given", "SCENE", "name a .glb or .gltf file, or 'scene' in a job file");
+        throw UsageError("no scene is given", "SCENE", "name a .glb or .gltf file, or 'input' in a job file");
     }
     sequences::Take take;
     take.scene_file = text.scene_file;

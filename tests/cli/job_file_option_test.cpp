@@ -29,7 +29,7 @@ struct Jobs {
 
 constexpr const char* small_job = R"(fps = 4
 [render]
-scene = "tiny.gltf"
+input = "tiny.gltf"
 output = "out/t.####.exr"
 size = "32x16"
 spp = 1
@@ -78,7 +78,7 @@ TEST_CASE("a scene on the command line is found from the current folder", "[cli]
 
 TEST_CASE("a command reads its own section", "[cli][config]") {
     const Jobs jobs(small_job);
-    const std::string scene = (jobs.job_folder / "tiny.gltf").string();
+    const std::string input = (jobs.job_folder / "tiny.gltf").string();
     REQUIRE(jobs.run({"bake", scene, "-o", "t.####.ply"}).exit_code == 0);
     CHECK(bytes_of(jobs.here / "t.0004.ply").find("property float nx") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(jobs.here / "t.0005.ply"));
@@ -89,7 +89,7 @@ TEST_CASE("what a job file gets wrong is exit 2, with file and line", "[cli][con
     for (const std::string wrong : {"sppp = 4", "spp = 0", "spp = \"many\"", "spp", "help = true",
                                     "config = \"x\"", "lights = \"some\"", "output = out.exr"}) {
         INFO(wrong);
-        const Jobs jobs("[render]\nscene = \"tiny.gltf\"\n" + wrong + "\n");
+        const Jobs jobs("[render]\ninput = \"tiny.gltf\"\n" + wrong + "\n");
         const Outcome outcome = jobs.run({"render"});
         INFO(outcome.err);
         CHECK(outcome.exit_code == 2);
@@ -101,7 +101,7 @@ TEST_CASE("what a job file gets wrong is exit 2, with file and line", "[cli][con
 
 TEST_CASE("flags can stand in a job file", "[cli][config]") {
     const Jobs jobs(
-        "[render]\nscene = \"tiny.gltf\"\nquiet = true\nkeep-going = false\nsize = \"16x8\"\nframes = 0\n");
+        "[render]\ninput = \"tiny.gltf\"\nquiet = true\nkeep-going = false\nsize = \"16x8\"\nframes = 0\n");
     const Outcome outcome = jobs.run({"render"});
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.err.empty());
