@@ -107,3 +107,19 @@ TEST_CASE("flags can stand in a job file", "[cli][config]") {
     CHECK(outcome.err.empty());
     CHECK(outcome.out.empty());
 }
+
+TEST_CASE("every bundled job renders", "[cli][config]") {
+    for (const std::string name : {"marbles", "walker", "sheet", "stadium"}) {
+        INFO(name);
+        const ScratchFolder here;
+        const Outcome outcome = run_gridreel({"render", "--config", GRIDREEL_GALLERY "/" + name + "/job.toml",
+                                              "-f", "1", "-s", "32x18", "--spp", "1", "--log", "log.jsonl"},
+                                             {.folder = here.path()});
+        INFO(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        const auto frames = frames_of(here / "log.jsonl");
+        REQUIRE(frames.size() == 1);
+        CHECK(frames[0]["triangles"]["moving"] > 0);
+        CHECK(std::filesystem::exists(here / frames[0]["file"]));
+    }
+}
