@@ -16,17 +16,12 @@ void Film::resize(std::int32_t new_width, std::int32_t new_height) {
     pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channel_count);
 }
 
-std::size_t Film::first_value(std::int32_t x, std::int32_t y) const {
-    const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-    return (row + static_cast<std::size_t>(x)) * channel_count;
-}
-
 float* Film::pixel(std::int32_t x, std::int32_t y) {
-    return pixels.data() + first_value(x, y);
+    return pixels.data() + index_of(x, y, width);
 }
 
 const float* Film::pixel(std::int32_t x, std::int32_t y) const {
-    return pixels.data() + first_value(x, y);
+    return pixels.data() + index_of(x, y, width);
 }
 
 }  // namespace gridreel::engine

@@ -22,9 +22,6 @@ struct Film {
     void resize(std::int32_t new_width, std::int32_t new_height);
     [[nodiscard]] float* pixel(std::int32_t x, std::int32_t y);
     [[nodiscard]] const float* pixel(std::int32_t x, std::int32_t y) const;
-
-private:
-    [[nodiscard]] std::size_t first_value(std::int32_t x, std::int32_t y) const;
 };
 
 }  // namespace gridreel::engine

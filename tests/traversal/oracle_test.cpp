@@ -146,15 +146,15 @@ TEST_CASE("targets with fused multiply-add agree bit for bit, others within roun
 
 TEST_CASE("hits do not depend on the number of threads", "[traversal]") {
     const Triangles triangles = soup(3000, 0.1f);
-    for (const auto& [name, rays] : nasty_batches(triangles, 4000)) {
-        INFO(name);
+    for (const NamedRays& batch : nasty_batches(triangles, 4000)) {
+        INFO(batch.name);
         HitBatch one, many;
         for (const TracerKind kind : {TracerKind::grid, TracerKind::grid_single}) {
             const auto trace = [&](int threads, HitBatch& hits) {
                 tbb::task_arena(threads).execute([&] {
                     const auto tracer = make_tracer({.kind = kind, .resolution = {}});
                     tracer->rebuild(triangles.view());
-                    return tracer->closest_hits(rays, hits);
+                    return tracer->closest_hits(batch.rays, hits);
                 });
             };
             trace(1, one);
