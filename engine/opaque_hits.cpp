@@ -5,8 +5,11 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace gridreel::engine {
@@ -14,8 +17,13 @@ namespace {
 
 /// Just behind a hit, so far that rounding inside a tracer cannot find the same hit again.
 float just_behind(float t) {
-    return t * (1.0f + 4.0f * std::numeric_limits<float>::epsilon());
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    return std::max(t * (1.0f + 4.0f * std::numeric_limits<float>::epsilon()), std::nextafter(t, infinity));
 }
+
+/// Fewer rays than this share of the batch are no neighbours any more: as packets they would see the whole
+/// scene, so each goes alone, with its own origin.
+constexpr std::size_t sparse_share = 64;
 
 TraceCost timed_closest(traversal::Tracer& tracer, const traversal::RayBatch& rays,
                         traversal::HitBatch& hits) {
@@ -56,10 +64,12 @@ TraceCost OpaqueHits::closest(traversal::Tracer& tracer, const traversal::RayBat
 
     while (!ray_of_.empty()) {
         // Trace the rays that go on.
-        rest_.resize(ray_of_.size(), rays.common_origin, rays.order);
+        const bool sparse = ray_of_.size() < rays.size() / sparse_share;
+        const std::optional<glm::vec3> origin = sparse ? std::nullopt : rays.common_origin;
+        rest_.resize(ray_of_.size(), origin, rays.order);
         tbb::parallel_for(std::size_t{0}, ray_of_.size(), [&](std::size_t i) {
             const std::size_t ray = ray_of_[i];
-            if (!rays.common_origin) rest_.set_origin(i, rays.origin_of(ray));
+            if (!origin) rest_.set_origin(i, rays.origin_of(ray));
             rest_.set_direction(i, rays.direction_of(ray));
             rest_.t_min[i] = just_behind(hits.t[ray]);
             rest_.t_max[i] = rays.t_max[ray];

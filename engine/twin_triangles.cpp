@@ -86,11 +86,13 @@ TwinTriangles::TwinTriangles(const anim::Scene& scene, const anim::FrameGeometry
     });
     tbb::parallel_sort(candidates.begin(), candidates.end());
 
-    // Pair each with the first of its key that faces the other way.
+    // Pair each with the first of its key that faces the other way. Many in one place are particles or cards
+    // that the pose will part; they are no two sides of one sheet.
+    constexpr std::size_t most_in_one_place = 64;
     for (std::size_t begin = 0; begin < candidates.size();) {
         std::size_t end = begin + 1;
         while (end < candidates.size() && candidates[end].key == candidates[begin].key) ++end;
-        for (std::size_t i = begin; end - begin > 1 && i < end; ++i) {
+        for (std::size_t i = begin; end - begin > 1 && end - begin <= most_in_one_place && i < end; ++i) {
             const std::uint32_t triangle = candidates[i].triangle;
             const Corners corners = corners_in_file(scene, geometry, triangle);
             const auto twin = std::find_if(

@@ -18,8 +18,12 @@ class Buffer {
 public:
     void resize(std::size_t size) {
         if (size > capacity_) {
-            capacity_ = size + size / 4;
-            data_.reset(static_cast<T*>(::operator new[](capacity_ * sizeof(T), alignment)));
+            // Let go before asking for more; and if there is no more, be empty rather than wrong.
+            data_.reset();
+            size_ = capacity_ = 0;
+            const std::size_t room = size + size / 4;
+            data_.reset(static_cast<T*>(::operator new[](room * sizeof(T), alignment)));
+            capacity_ = room;
         }
         size_ = size;
     }

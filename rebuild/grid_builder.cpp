@@ -42,15 +42,21 @@ struct Piece {
         : begin(count * k / pieces), end(count * (k + 1) / pieces) {}
 };
 
-Bounds3 traceable_bounds(std::span<const glm::vec3> positions) {
-    constexpr std::size_t grain = 1 << 14;
+/// The box of all triangles that can be hit. Vertices that no triangle uses do not stretch it.
+Bounds3 traceable_bounds(const TriangleView& view) {
+    constexpr std::size_t grain = 1 << 13;
     using Range = tbb::blocked_range<std::size_t>;
     // Minimum and maximum do not depend on the order in which parts are joined.
     return tbb::parallel_reduce(
-        Range(0, positions.size(), grain), Bounds3{},
+        Range(0, view.size(), grain), Bounds3{},
         [&](const Range& range, Bounds3 box) {
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                if (is_traceable(positions[i])) box.extend(positions[i]);
+                const glm::uvec3& corners = view.triangles[i];
+                const glm::vec3& a = view.positions[corners.x];
+                const glm::vec3& b = view.positions[corners.y];
+                const glm::vec3& c = view.positions[corners.z];
+                if (!is_traceable(a) || !is_traceable(b) || !is_traceable(c)) continue;
+                box.extend({.min = glm::min(a, glm::min(b, c)), .max = glm::max(a, glm::max(b, c))});
             }
             return box;
         },
@@ -82,8 +88,8 @@ BuildReport GridBuilder::rebuild(const TriangleView& triangles) {
     BuildReport report;
 
     // Box and resolution.
-    const Bounds3 box = traceable_bounds(triangles.positions);
-    if (box.empty() || triangles.size() == 0) {
+    const Bounds3 box = traceable_bounds(triangles);
+    if (box.empty()) {
         grid_.bounds = {};
         grid_.resolution = glm::ivec3{0};
         grid_.cell_begin.resize(0);

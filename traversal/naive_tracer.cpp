@@ -35,8 +35,9 @@ TraceReport trace(const RayBatch& rays, const CornerRuns& corners, const Store& 
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), rays_per_task), [&](const auto& range) {
         for (std::size_t ray = range.begin(); ray < range.end(); ++ray) {
             const RayFrame frame = ray_frame(rays, ray);
-            const DepthHit hit =
-                frame.hits_nothing() ? DepthHit{} : closest_of_all(corners, rays.origin_of(ray), frame);
+            const glm::vec3 origin = rays.origin_of(ray);
+            const bool traceable = !frame.hits_nothing() && rebuild::is_traceable(origin);
+            const DepthHit hit = traceable ? closest_of_all(corners, origin, frame) : DepthHit{};
             store(ray, frame, hit);
         }
     });

@@ -35,6 +35,8 @@ struct Across {
 
 struct Interval {
     double low, high;
+
+    [[nodiscard]] Interval widened(double by) const { return {low - by, high + by}; }
 };
 
 /// Where rays with slopes in [low, high] can be between two depths >= 0.
@@ -67,6 +69,11 @@ public:
         slice_depth_ = grid.cell_size[k];
         slice_stride_ = along.stride;
         first_plane_ = packet.axes.negative ? -along.high : along.low;
+        // Corners are rounded when they are taken relative to the origin: far away they stand beside their
+        // cells.
+        double farthest = 0.0;
+        for (const Across& axis : {u_, v_, along}) farthest = std::max({farthest, -axis.low, axis.high});
+        corner_error_ = farthest * 0x1p-23;
     }
 
     /// Traces the active blocks from `slice` on.
@@ -81,9 +88,11 @@ public:
             if (from > double(frustum.far_depth) * (1.0 + depth_error)) break;
 
             const Interval u = reach(double(frustum.centre_u) - double(frustum.half_u),
-                                     double(frustum.centre_u) + double(frustum.half_u), from, to);
+                                     double(frustum.centre_u) + double(frustum.half_u), from, to)
+                                   .widened(corner_error_);
             const Interval v = reach(double(frustum.centre_v) - double(frustum.half_v),
-                                     double(frustum.centre_v) + double(frustum.half_v), from, to);
+                                     double(frustum.centre_v) + double(frustum.half_v), from, to)
+                                   .widened(corner_error_);
             if (u.high < u_.low || u.low > u_.high || v.high < v_.low || v.low > v_.high) {
                 if (entered) break;  // a frustum and a box are convex: it does not come back
                 continue;
@@ -186,12 +195,13 @@ private:
     double slice_depth_ = 0.0;
     double first_plane_ = 0.0;  // depth at which the grid begins; may be negative
     std::size_t slice_stride_ = 0;
+    double corner_error_ = 0.0;  // metres across
 };
 
 template <Wanted wanted>
 TraceReport march(const GridScene& scene, Packet& packet, Candidates& candidates) {
     TraceReport report;
-    if (scene.grid.bounds.empty()) return report;
+    if (scene.grid.bounds.empty() || !rebuild::is_traceable(packet.origin)) return report;
     candidates.clear();
     March<wanted>(scene, packet, candidates, report).run((1u << packet.block_count()) - 1u, 0);
     return report;

@@ -20,8 +20,8 @@ enum class RayOrder {
 };
 
 /// Rays of one wave: points are `origin + t * direction`, t in (t_min, t_max). Directions need not be
-/// unit length; t is in units of the direction's length. A ray with a zero or non-finite direction,
-/// or with t_min >= t_max, hits nothing.
+/// unit length; t is in units of the direction's length. A ray with a zero or non-finite direction, an origin
+/// that is not traceable (rebuild/triangle_view.h), or t_min >= t_max hits nothing.
 struct RayBatch {
     std::optional<glm::vec3> common_origin;  ///< set: every ray starts here and `origin` is empty
     RayOrder order = RayOrder::arbitrary;

@@ -1,5 +1,7 @@
 #include "traversal/ray_walk.h"
 
+#include "rebuild/triangle_view.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +10,7 @@ namespace gridreel::traversal {
 
 RayWalk::RayWalk(const rebuild::Grid& grid, const glm::vec3& origin, const RayFrame& ray) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (grid.bounds.empty() || ray.hits_nothing()) return;
+    if (grid.bounds.empty() || ray.hits_nothing() || !rebuild::is_traceable(origin)) return;
 
     glm::dvec3 slope{0.0};
     slope[ray.axes.k] = ray.axes.sign();

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <new>
 #include <random>
 #include <vector>
 
@@ -141,6 +142,25 @@ TEST_CASE("triangles that cannot be traced are in no cell and do not stretch the
     builder.rebuild(triangles.view());
     CHECK(builder.grid().bounds == clean.grid().bounds);
     CHECK(*std::max_element(builder.grid().references.begin(), builder.grid().references.end()) == 49);
+}
+
+TEST_CASE("vertices that no triangle uses do not stretch the box", "[rebuild]") {
+    Soup triangles = soup(50, 0.1f);
+    GridBuilder clean, builder;
+    clean.rebuild(triangles.view());
+    triangles.positions.emplace_back(1e6f);
+    builder.rebuild(triangles.view());
+    CHECK(builder.grid().bounds == clean.grid().bounds);
+}
+
+TEST_CASE("a buffer that cannot grow is empty, not wrong", "[rebuild]") {
+    Buffer<std::uint64_t> buffer;
+    buffer.resize(100);
+    CHECK_THROWS_AS(buffer.resize(std::size_t{1} << 58), std::bad_alloc);
+    CHECK(buffer.size() == 0);
+    buffer.resize(1000);
+    buffer[999] = 7;
+    CHECK(buffer[999] == 7);
 }
 
 TEST_CASE("triangles as large as the scene make the grid coarser, not endless", "[rebuild]") {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace gridreel::tests {
@@ -107,6 +108,20 @@ TEST_CASE("without triangles nothing is hit, and the next frame may have some", 
         no_rays.resize(0, glm::vec3{0.0f}, traversal::RayOrder::arbitrary);
         CHECK(tracer->closest_hits(no_rays, hits).rays == 0);
         CHECK(hits.t.size() == 0);
+    }
+}
+
+TEST_CASE("a ray from nowhere hits nothing", "[traversal]") {
+    const Triangles triangles = soup(100, 0.5f);
+    for (const TracerKind kind : traversal::tracer_kinds()) {
+        const auto tracer = make_tracer({.kind = kind, .resolution = {}});
+        tracer->rebuild(triangles.view());
+        for (const float bad : {infinity, std::numeric_limits<float>::quiet_NaN(), 1e30f}) {
+            HitBatch hits;
+            tracer->closest_hits(from_point({bad, 0.0f, 0.0f}, 500, 61), hits);
+            INFO(name_of(kind) << " from " << bad);
+            CHECK(std::count(hits.triangle.begin(), hits.triangle.end(), traversal::no_triangle) == 500);
+        }
     }
 }
 
