@@ -4,6 +4,7 @@
 #include "sequences/thread_count.h"
 #include "tools/command.h"
 #include "tools/picture_options.h"
+#include "traversal/simd_target.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -76,7 +77,7 @@ ExitCode bench(const BenchText& text, Console& console) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(most));
     console.note(fmt::format("{}, {} kernels, {} runs of each frame", sequences::cpu_name(),
-                             sequences::instruction_set(), plan.repeat));
+                             traversal::simd_target(), plan.repeat));
     const auto competitors = sequences::run_benchmark(plan, [&](std::size_t done, std::size_t count) {
         console.line(fmt::format("{}/{} frames", done, count));
     });

@@ -18,7 +18,6 @@
 #include <tbb/task_arena.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -110,14 +109,6 @@ Job read_job(const RenderText& text) {
     return job;
 }
 
-/// GRIDREEL_TARGET caps the instructions that kernels use, for tests and comparisons.
-void obey_target_variable() {
-    const char* const target = std::getenv("GRIDREEL_TARGET");
-    if (!target || traversal::limit_simd_target(target)) return;
-    throw UsageError(fmt::format("this machine has no kernels for '{}'", target), "GRIDREEL_TARGET",
-                     fmt::format("choose from {}", fmt::join(traversal::simd_targets(), ", ")));
-}
-
 /// Runs the job on as many threads as it may have.
 JobResult run_on_threads(const Job& job, sequences::JobObserver& observer) {
     const auto threads = static_cast<std::size_t>(job.threads);
@@ -137,7 +128,6 @@ void print_results(const Job& job, const JobResult& result, double elapsed_s, Co
 
 ExitCode render(const RenderText& text, Console& console) {
     const Job job = read_job(text);
-    obey_target_variable();
     const When when = text.progress == "always"  ? When::always
                       : text.progress == "never" ? When::never
                                                  : When::automatic;

@@ -2,7 +2,6 @@
 #include "tests/cli/run_command.h"
 #include "tests/cli/tiny_scene.h"
 #include "tests/sequences/scratch_folder.h"
-#include "traversal/simd_target.h"
 
 #include <OpenImageIO/imageio.h>
 #include <catch2/catch.hpp>
@@ -207,21 +206,4 @@ TEST_CASE("quiet means no word unless something is wrong", "[cli][render]") {
     const Outcome wrong = workshop.run({"-q", "render", "none.glb"});
     CHECK(wrong.exit_code == 3);
     CHECK_FALSE(wrong.err.empty());
-}
-
-TEST_CASE("the instruction set can be capped, and the log says which it was", "[cli][render]") {
-    const Workshop workshop;
-    const Names render{"render", "tiny.gltf", "-s", "48x24", "--spp", "1", "-f", "3", "-o", "t.exr"};
-    for (const auto target : gridreel::traversal::simd_targets()) {
-        INFO(target);
-        const Setting setting{.folder = workshop.folder.path(),
-                              .variables = {"GRIDREEL_TARGET=" + std::string(target)}};
-        std::filesystem::remove(workshop.folder / "t.jsonl");
-        REQUIRE(run_gridreel(render, setting).exit_code == 0);
-        CHECK(read_log(workshop.folder / "t.jsonl").at(0)["instruction_set"] == std::string(target));
-    }
-    const Outcome unknown =
-        run_gridreel(render, {.folder = workshop.folder.path(), .variables = {"GRIDREEL_TARGET=MMX"}});
-    CHECK(unknown.exit_code == 2);
-    CHECK(unknown.err.find("GRIDREEL_TARGET") != std::string::npos);
 }
