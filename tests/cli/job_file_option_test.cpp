@@ -78,7 +78,7 @@ TEST_CASE("a scene on the command line is found from the current folder", "[cli]
 
 TEST_CASE("a command reads its own section", "[cli][config]") {
     const Jobs jobs(small_job);
-    const std::string input = (jobs.job_folder / "tiny.gltf").string();
+    const std::string scene = (jobs.job_folder / "tiny.gltf").string();
     REQUIRE(jobs.run({"bake", scene, "-o", "t.####.ply"}).exit_code == 0);
     CHECK(bytes_of(jobs.here / "t.0004.ply").find("property float nx") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(jobs.here / "t.0005.ply"));
