@@ -42,7 +42,7 @@ public:
                 for (int x = 0; x < blocks_.x; ++x) {
                     const double d =
                         solid_.distance(point(glm::dvec3(x, y, z) * double(block) + 0.5 * block));
-                    block_sign_[next++] = static_cast<signed char>(d > reach ? 1 : d < -reach ? -1 : 0);
+                    block_sign_[next++] = static_cast<std::int16_t>(d > reach ? 1 : d < -reach ? -1 : 0);
                 }
     }
 
@@ -72,7 +72,7 @@ private:
     double cell_;
     glm::dvec3 origin_;
     glm::ivec3 size_{0}, blocks_{0};
-    std::vector<signed char> block_sign_;
+    std::vector<std::int16_t> block_sign_;  // -1, 0 or 1
 };
 
 class Polygoniser {
@@ -124,7 +124,7 @@ private:
     }
 
     static glm::dvec3 corner(unsigned bits) {
-        return {double(bits & 1), double(bits / 2 & 1), double(bits / 4)};
+        return {double(bits & 1u), double(bits >> 1 & 1u), double(bits >> 2 & 1u)};
     }
 
     /// Moves every vertex onto the surface, by Newton steps along the gradient, and finds its normal.
