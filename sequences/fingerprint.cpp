@@ -1,13 +1,14 @@
 #include "sequences/fingerprint.h"
 
 #include "anim/error.h"
+#include "anim/gltf/uri.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <openssl/evp.h>
 
 #include <array>
-#include <cerrno>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -29,6 +30,16 @@ public:
 
     void add(const void* bytes, std::size_t count) { EVP_DigestUpdate(context_.get(), bytes, count); }
 
+    /// Eight bytes, the lowest first.
+    void add_length(std::uint64_t length) {
+        std::array<unsigned char, 8> bytes{};
+        for (unsigned char& byte : bytes) {
+            byte = static_cast<unsigned char>(length & 0xff);
+            length >>= 8;
+        }
+        add(bytes.data(), bytes.size());
+    }
+
     [[nodiscard]] std::string hex() {
         std::array<unsigned char, 32> digest{};
         EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr);
@@ -45,11 +56,19 @@ private:
 };
 
 std::optional<std::string> read_file(const std::filesystem::path& file) {
+    // Opening a pipe would wait for somebody to write into it.
     std::error_code error;
-    if (std::filesystem::is_directory(file, error)) return std::nullopt;
+    if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
     std::ifstream stream(file, std::ios::binary);
     if (!stream) return std::nullopt;
     return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+/// The bytes of a file that the scene names; none when the loader would not follow the URI either.
+std::string read_named(const std::string& uri, const std::filesystem::path& folder) {
+    const anim::gltf::UriTarget target = anim::gltf::resolve_uri(uri, folder);
+    if (!target.refusal.empty()) return {};
+    return read_file(target.path).value_or("");
 }
 
 /// URIs of the other files a `.gltf` is made of; none when it is not valid JSON, as a `.glb` is not.
@@ -83,7 +102,8 @@ std::string scene_sha256(const std::filesystem::path& file) {
     Sha256 hash;
     hash.add(content->data(), content->size());
     for (const std::string& uri : named_files(*content)) {
-        const std::string other = read_file(file.parent_path() / uri).value_or("");
+        const std::string other = read_named(uri, file.parent_path());
+        hash.add_length(other.size());
         hash.add(other.data(), other.size());
     }
     return hash.hex();
