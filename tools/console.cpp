@@ -1,11 +1,15 @@
 #include "tools/console.h"
 
+#include "sequences/errors.h"
+
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <system_error>
 
 namespace gridreel::tools {
 namespace {
@@ -18,6 +22,12 @@ bool color_wanted(When when) {
     const char* terminal = std::getenv("TERM");
     return Console::on_terminal() && !(no_color && *no_color) && terminal &&
            std::string_view(terminal) != "dumb";
+}
+
+/// Writes to stderr, best effort: there is nowhere left to report that it failed.
+void say(std::string_view text) noexcept {
+    (void)std::fwrite(text.data(), 1, text.size(), stderr);
+    (void)std::fflush(stderr);
 }
 
 }  // namespace
@@ -35,13 +45,10 @@ std::size_t Console::columns() {
 }
 
 void Console::message(std::string_view kind, std::string_view color, std::string_view text) {
-    if (bar_shown_) fmt::print(stderr, "{}", clear_line);
+    if (bar_shown_) say(clear_line);
     bar_shown_ = false;
-    if (color_) {
-        fmt::print(stderr, "gridreel: \x1b[{}m{}:\x1b[0m {}\n", color, kind, text);
-    } else {
-        fmt::print(stderr, "gridreel: {}: {}\n", kind, text);
-    }
+    say(color_ ? fmt::format("gridreel: \x1b[{}m{}:\x1b[0m {}\n", color, kind, text)
+               : fmt::format("gridreel: {}: {}\n", kind, text));
 }
 
 void Console::error(std::string_view text) {
@@ -62,23 +69,25 @@ void Console::detail(std::string_view text) {
 
 void Console::result(std::string_view text) {
     if (options_.quiet) return;
-    fmt::print("{}", text);
-    std::fflush(stdout);
+    errno = 0;
+    const bool taken = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (taken && std::fflush(stdout) == 0) return;
+    throw sequences::OutputError(fmt::format("cannot write ({})", std::generic_category().message(errno)),
+                                 "stdout", "check where the output goes and the free space there");
 }
 
 void Console::line(std::string_view text) {
-    if (!options_.quiet) fmt::print(stderr, "{}\n", text);
+    if (!options_.quiet) say(fmt::format("{}\n", text));
 }
 
 void Console::bar(std::string_view text) {
     if (options_.quiet) return;
-    fmt::print(stderr, "{}{}", clear_line, text);
-    std::fflush(stderr);
+    say(fmt::format("{}{}", clear_line, text));
     bar_shown_ = true;
 }
 
 void Console::end_bar() {
-    if (bar_shown_) fmt::print(stderr, "\n");
+    if (bar_shown_) say("\n");
     bar_shown_ = false;
 }
 

@@ -20,7 +20,7 @@ struct ConsoleOptions {
     When color = When::automatic;
 };
 
-/// Messages go to stderr, results to stdout.
+/// Messages go to stderr, results to stdout. A message that cannot be written is dropped.
 class Console {
 public:
     explicit Console(const ConsoleOptions& options);
@@ -29,7 +29,10 @@ public:
     void warning(std::string_view text);  ///< not when quiet
     void note(std::string_view text);     ///< not when quiet
     void detail(std::string_view text);   ///< only when verbose
-    void result(std::string_view text);   ///< stdout, as it stands; not when quiet
+
+    /// On stdout, as it stands; not when quiet.
+    /// @throws sequences::OutputError when it cannot be written
+    void result(std::string_view text);
 
     /// A line of progress, on stderr; not when quiet.
     void line(std::string_view text);

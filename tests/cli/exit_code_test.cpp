@@ -150,6 +150,31 @@ TEST_CASE("output that cannot be written is exit 4 and names the place", "[cli][
     CHECK(run({"render", "-f", "0", "-s", "16x8", "-o", "out/t.exr", "--log", "/dev/full"}).exit_code == 4);
 }
 
+TEST_CASE("messages that cannot be written do not change the exit code", "[cli][exit_code]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    const Setting full{.folder = folder.path(), .err_file = "/dev/full"};
+    CHECK(run_gridreel({"render", "nope.glb"}, full).exit_code == 3);
+    CHECK(run_gridreel({"render", "--frobnicate"}, full).exit_code == 2);
+    CHECK(run_gridreel({"render", "tiny.gltf", "-s", "16x8", "-f", "0", "-o", "t.exr"}, full).exit_code == 0);
+}
+
+TEST_CASE("results that cannot be written are exit 4", "[cli][exit_code]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    const Setting full{.folder = folder.path(), .out_file = "/dev/full"};
+    for (const Arguments& arguments :
+         {Arguments{"info", "tiny.gltf"}, Arguments{"info", "tiny.gltf", "--json"},
+          Arguments{"bake", "tiny.gltf", "-q", "-f", "0", "-o", "t.ply"}}) {
+        INFO(arguments.front());
+        const Outcome outcome = run_gridreel(arguments, full);
+        const bool quiet = arguments.front() == "bake";  // asks for no results
+        CHECK(outcome.exit_code == (quiet ? 0 : 4));
+        CHECK(is_one_error_line(outcome.err) == !quiet);
+        CHECK((outcome.err.find("stdout") != std::string::npos) == !quiet);
+    }
+}
+
 TEST_CASE("a frame that cannot be written ends the run, or is skipped on request", "[cli][exit_code]") {
     const ScratchFolder folder;
     write_tiny_scene(folder.path());

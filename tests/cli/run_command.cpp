@@ -67,8 +67,10 @@ std::string read_terminal(int terminal) {
 
 Outcome run_gridreel(const std::vector<std::string>& arguments, const Setting& setting) {
     const ScratchFolder scratch;
-    const int out = open((scratch / "out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    const ErrorStream err = open_errors(setting, scratch / "err");
+    const int out = open((setting.out_file.empty() ? scratch / "out" : setting.out_file).c_str(),
+                         O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    const ErrorStream err =
+        open_errors(setting, setting.err_file.empty() ? scratch / "err" : setting.err_file);
 
     const pid_t process = fork();
     if (process < 0) throw std::runtime_error("no process");

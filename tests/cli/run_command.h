@@ -22,6 +22,8 @@ struct Setting {
     std::function<void(int process)> meanwhile{};  ///< called once it has started
     std::vector<std::string> variables{};          ///< of the environment, `NAME=value`
     bool terminal = false;                         ///< stderr is a terminal of 100 columns
+    std::filesystem::path out_file{};              ///< where stdout goes instead of `Outcome::out`
+    std::filesystem::path err_file{};              ///< where stderr goes instead of `Outcome::err`
 };
 
 /// Runs `gridreel` with `arguments` and waits for its end.
