@@ -44,13 +44,7 @@ std::string to_string(const FrameRate& rate) {
 Frame last_frame(double duration_s, const FrameRate& rate) {
     const double frames = std::max(duration_s, 0.0) * rate.numerator / rate.denominator;
     const double rounding = std::max(1e-4, frames * double(std::numeric_limits<float>::epsilon()));
-    const double last = std::floor(frames + rounding);
-    if (!(last < double(max_frames))) {
-        throw UsageError(fmt::format("the clip lasts {} s, more than {} frames at {} fps", duration_s,
-                                     max_frames, to_string(rate)),
-                         "--frames", "name the frames to render");
-    }
-    return static_cast<Frame>(last);
+    return static_cast<Frame>(std::min(std::floor(frames + rounding), 0x1p53));
 }
 
 }  // namespace gridreel::sequences

@@ -32,7 +32,7 @@ struct FrameRate {
 /// Key times are floats in the file, so 2.0833333 s at 24 fps must count as 50 frames and not as
 /// 49.9999992: a frame that lies beyond the end by less than the rounding of a float, or a
 /// ten-thousandth of a frame, is still in.
-/// @throws UsageError when the clip has more than `max_frames` frames
+/// @return at most 2^53, up to which JSON readers keep whole numbers exact
 [[nodiscard]] Frame last_frame(double duration_s, const FrameRate& rate);
 
 }  // namespace gridreel::sequences

@@ -13,6 +13,16 @@ void check_numbered(std::size_t frame_count, const FramePattern& output) {
                      "--output", "add #### or %04d to the file name, or choose one frame with --frames");
 }
 
+std::vector<Frame> whole_clip(double duration_s, const FrameRate& rate) {
+    const Frame last = last_frame(duration_s, rate);
+    if (last >= static_cast<Frame>(max_frames)) {
+        throw UsageError(fmt::format("the clip lasts {} s, more than {} frames at {} fps", duration_s,
+                                     max_frames, to_string(rate)),
+                         "--frames", "name the frames to render");
+    }
+    return frame_range(0, last);
+}
+
 }  // namespace
 
 anim::Clip choose_clip(const anim::Scene& scene, const Take& take) {
@@ -24,8 +34,7 @@ anim::Clip choose_clip(const anim::Scene& scene, const Take& take) {
 }
 
 std::vector<Frame> choose_frames(const Take& take, const anim::Clip& clip, const FramePattern& output) {
-    const std::vector<Frame> frames =
-        take.frames ? *take.frames : frame_range(0, last_frame(clip.duration_s, take.rate));
+    const std::vector<Frame> frames = take.frames ? *take.frames : whole_clip(clip.duration_s, take.rate);
     check_numbered(frames.size(), output);
     return frames;
 }

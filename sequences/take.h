@@ -28,7 +28,8 @@ struct Take {
 [[nodiscard]] anim::Clip choose_clip(const anim::Scene& scene, const Take& take);
 
 /// The frames asked for, or 0 to the clip's last.
-/// @throws UsageError when there are several and `output` has no place for a number
+/// @throws UsageError when there are several and `output` has no place for a number, or when the whole
+///         clip has more than `max_frames`
 [[nodiscard]] std::vector<Frame> choose_frames(const Take& take, const anim::Clip& clip,
                                                const FramePattern& output);
 

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cstring>
 #include <string>
 
 using namespace gridreel::test;
@@ -59,4 +60,25 @@ TEST_CASE("without its animation nothing in the scene moves", "[cli][info]") {
     CHECK(info["triangles"] == json::parse(R"({"moving": 0, "still": 2})"));
     CHECK(info["frames"] == json{0, 0});
     CHECK(info["animations"][0]["plays"] == false);
+}
+
+TEST_CASE("info reads clips that are too long to render whole", "[cli][info]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    std::string bytes = bytes_of(folder / "tiny.bin");
+    const float last_key_s = 1e6f;
+    std::memcpy(bytes.data() + 40, &last_key_s, sizeof last_key_s);
+    write_file(folder / "tiny.bin", bytes);
+    for (const char* const animation : {"auto", "none"}) {
+        INFO(animation);
+        const Outcome outcome =
+            run_gridreel({"info", "tiny.gltf", "--json", "--fps", "1", "--animation", animation},
+                         {.folder = folder.path()});
+        INFO(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        CHECK(json::parse(outcome.out)["animations"][0]["frames"] == json{0, 1'000'000});
+    }
+    const Outcome render = run_gridreel({"render", "tiny.gltf", "--fps", "1"}, {.folder = folder.path()});
+    CHECK(render.exit_code == 2);
+    CHECK(render.err.find("--frames") != std::string::npos);
 }
