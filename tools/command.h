@@ -36,6 +36,10 @@ struct Command {
 /// -q -v --color --config --version.
 void add_common_options(CLI::App& app, CommonOptions& options);
 
+/// Makes an empty value of any option a mistake: `-f "$FRAMES"` with FRAMES unset must not mean the default.
+/// Call it when all options are there.
+void refuse_empty_values(CLI::App& app);
+
 /// The text of the options that choose what is played.
 struct TakeText {
     std::string scene_file;

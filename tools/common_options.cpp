@@ -50,6 +50,15 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
         ->group("General");
 }
 
+void refuse_empty_values(CLI::App& app) {
+    const CLI::Validator not_empty(
+        [](const std::string& value) {
+            return value.empty() ? std::string("the value is empty") : std::string();
+        },
+        "");
+    for (CLI::Option* const option : app.get_options()) option->check(not_empty);
+}
+
 void add_take_options(CLI::App& app, TakeText& text, FrameOption frames) {
     app.add_option("SCENE", text.scene_file, "Scene: .glb or .gltf")->type_name("");
     if (frames == FrameOption::offered) {

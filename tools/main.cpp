@@ -62,7 +62,11 @@ ExitCode run(int argc, char** argv) {
     add_common_options(program, options);
     const std::array commands{add_render_command(program), add_info_command(program),
                               add_bake_command(program), add_bench_command(program)};
-    for (const Command& command : commands) add_common_options(*command.app, options);
+    refuse_empty_values(program);
+    for (const Command& command : commands) {
+        add_common_options(*command.app, options);
+        refuse_empty_values(*command.app);
+    }
 
     try {
         program.parse(argc, argv);

@@ -99,6 +99,28 @@ TEST_CASE("wrong usage is exit 2 and one line that says what", "[cli][exit_code]
     CHECK(folder.names() == std::vector<std::string>{"tiny.bin", "tiny.gltf"});
 }
 
+TEST_CASE("an empty value is not the default but exit 2", "[cli][exit_code]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    const auto check = [&](const Arguments& arguments, const std::string& option) {
+        INFO(arguments.front() << ' ' << option);
+        const Outcome outcome = run_gridreel(arguments, {.folder = folder.path()});
+        INFO(outcome.err);
+        CHECK(outcome.exit_code == 2);
+        CHECK(is_one_error_line(outcome.err));
+        CHECK(outcome.err.find(option + ": the value is empty") != std::string::npos);
+    };
+    for (const std::string option : {"--frames", "--output", "--log", "--aov", "--scene", "--config", "--fps",
+                                     "--animation", "--camera", "--size", "--background"}) {
+        check({"render", "tiny.gltf", option, ""}, option);
+    }
+    check({"render", "tiny.gltf", "-f", ""}, "--frames");
+    check({"bake", "tiny.gltf", "-o", ""}, "--output");
+    check({"bench", "tiny.gltf", "-f", ""}, "--frames");
+    check({"--config", "", "info", "tiny.gltf"}, "--config");
+    CHECK(folder.names() == std::vector<std::string>{"tiny.bin", "tiny.gltf"});
+}
+
 TEST_CASE("one frame needs no number in the output", "[cli][exit_code]") {
     const ScratchFolder folder;
     write_tiny_scene(folder.path());
