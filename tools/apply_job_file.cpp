@@ -23,6 +23,13 @@ CLI::Option* find_option(CLI::App& app, const std::string& key) {
     return settable ? option : nullptr;
 }
 
+/// Whether the command line sets an option, before the command's name or after it.
+bool on_command_line(const CLI::App& app, const CLI::Option& option, const std::string& key) {
+    if (option.count() > 0) return true;
+    const CLI::Option* const before = app.get_parent()->get_option_no_throw("--" + key);
+    return before && before->count() > 0;
+}
+
 bool is_command(const CLI::App& program, const std::string& section) {
     const auto commands =
         program.get_subcommands([&](const CLI::App* app) { return app->get_name() == section; });
@@ -45,7 +52,7 @@ void apply_job_file(const std::filesystem::path& file, CLI::App& app) {
                 fmt::format("use long option names of 'gridreel {} --help', and input for the scene file",
                             app.get_name()));
         }
-        if (option->count() > 0) continue;  // the command line wins
+        if (on_command_line(app, *option, entry.key)) continue;  // the command line wins
 
         std::string value = fmt::format("{}", fmt::join(entry.values, ","));
         if (entry.key == scene_key) value = (file.parent_path() / value).string();

@@ -123,3 +123,17 @@ TEST_CASE("every bundled job renders", "[cli][config]") {
         CHECK(std::filesystem::exists(here / frames[0]["file"]));
     }
 }
+
+TEST_CASE("common options before the command win over the job file", "[cli][config]") {
+    const Jobs jobs("color = \"always\"\ninput = \"missing.gltf\"\n");
+    const std::string escape = "\x1b[";
+    const Outcome coloured = jobs.run({"render"});
+    CHECK(coloured.exit_code == 3);
+    CHECK(coloured.err.find(escape) != std::string::npos);
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"--color", "never", "render"}, {"render", "--color", "never"}}) {
+        const Outcome plain = jobs.run(arguments);
+        CHECK(plain.exit_code == 3);
+        CHECK(plain.err.find(escape) == std::string::npos);
+    }
+}
