@@ -55,9 +55,12 @@ std::filesystem::path camera_file(const BakeJob& job) {
     return job.output.folder() / (job.take.scene_file.stem().string() + ".cameras.json");
 }
 
-BakeResult bake(const BakeJob& job, const BakeProgress& progress, const std::atomic<bool>& stop) {
+BakeResult bake(const BakeJob& job, const BakeReports& reports, const std::atomic<bool>& stop) {
     check_bake(job);
     const anim::Scene scene = anim::load(job.take.scene_file);
+    for (const anim::Warning& warning : scene.warnings) {
+        reports.warning(fmt::format("{}: {}", warning.where, warning.text));
+    }
     const anim::Clip clip = choose_clip(scene, job.take);
     const std::vector<Frame> frames = choose_frames(job.take, clip, job.output);
     const RenderCamera camera(scene, clip, job.camera, job.width, job.height);
@@ -65,9 +68,6 @@ BakeResult bake(const BakeJob& job, const BakeProgress& progress, const std::ato
 
     BakeResult result;
     result.cameras = camera_file(job);
-    for (const anim::Warning& warning : scene.warnings) {
-        result.warnings.push_back(fmt::format("{}: {}", warning.where, warning.text));
-    }
     Json views = Json::array();
     anim::FrameGeometry geometry = anim::lay_out(scene, clip);
     for (const Frame frame : frames) {
@@ -83,7 +83,7 @@ BakeResult bake(const BakeJob& job, const BakeProgress& progress, const std::ato
                   geometry.triangles, file);
         views.push_back(to_json(camera.view(pose), frame, time_s));
         ++result.frames;
-        progress(frame, file, result.frames, frames.size());
+        reports.frame_done(frame, file, result.frames, frames.size());
     }
     const Json cameras{
         {"schema", "gridreel.cameras/1"}, {"camera", camera.name()}, {"frames", std::move(views)}};

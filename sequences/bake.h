@@ -10,7 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
+#include <string_view>
 
 namespace gridreel::sequences {
 
@@ -23,13 +23,17 @@ struct BakeJob {
     std::optional<std::int32_t> height = 720;
 };
 
-/// Told after each frame: its number, its file, frames done, frames in all.
-using BakeProgress = std::function<void(Frame, const std::filesystem::path&, std::size_t, std::size_t)>;
+/// Told how a bake goes.
+struct BakeReports {
+    std::function<void(std::string_view)> warning;  ///< of the scene, as soon as it is loaded
+
+    /// After each frame: its number, its file, frames done, frames in all.
+    std::function<void(Frame, const std::filesystem::path&, std::size_t, std::size_t)> frame_done;
+};
 
 struct BakeResult {
-    std::vector<std::string> warnings;  ///< of the scene
-    std::size_t frames = 0;             ///< written
-    std::filesystem::path cameras;      ///< the camera file
+    std::size_t frames = 0;         ///< written
+    std::filesystem::path cameras;  ///< the camera file
     bool interrupted = false;
 };
 
@@ -42,6 +46,6 @@ struct BakeResult {
 /// Normals are those of the file's vertices, zero where it has none.
 ///
 /// @throws UsageError, OutputError, Error as `run_job` does
-BakeResult bake(const BakeJob& job, const BakeProgress& progress, const std::atomic<bool>& stop);
+BakeResult bake(const BakeJob& job, const BakeReports& reports, const std::atomic<bool>& stop);
 
 }  // namespace gridreel::sequences

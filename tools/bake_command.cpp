@@ -1,6 +1,7 @@
 #include "sequences/bake.h"
 #include "sequences/job.h"
 #include "sequences/render_text.h"
+#include "tools/allowed_parallelism.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
 
@@ -37,12 +38,15 @@ sequences::BakeJob read_job(const BakeText& text) {
 
 ExitCode bake(const BakeText& text, Console& console) {
     const sequences::BakeJob job = read_job(text);
-    const auto show = [&](sequences::Frame frame, const std::filesystem::path& file, std::size_t done,
-                          std::size_t total) {
-        console.line(fmt::format("{}/{} frame {} -> {}", done, total, frame, file.string()));
-    };
-    const sequences::BakeResult result = sequences::bake(job, show, watch_for_interrupt());
-    for (const std::string& warning : result.warnings) console.warning(warning);
+    const sequences::BakeReports reports{
+        .warning = [&](std::string_view warning) { console.warning(warning); },
+        .frame_done =
+            [&](sequences::Frame frame, const std::filesystem::path& file, std::size_t done,
+                std::size_t total) {
+                console.line(fmt::format("{}/{} frame {} -> {}", done, total, frame, file.string()));
+            }};
+    const AllowedParallelism limit;
+    const sequences::BakeResult result = sequences::bake(job, reports, watch_for_interrupt());
     console.result(fmt::format("{} frame{}: {}\ncameras: {}\n", result.frames, result.frames == 1 ? "" : "s",
                                job.output.text(), result.cameras.string()));
     return result.interrupted ? ExitCode::interrupted : ExitCode::done;

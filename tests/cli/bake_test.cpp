@@ -84,3 +84,30 @@ TEST_CASE("normals are baked on request", "[cli][bake]") {
     CHECK(ply.find("property float nz\n") != std::string::npos);
     CHECK(ply.size() == header_end(ply) + 6 * 24 + 2 * 13);
 }
+
+TEST_CASE("a scene without triangles and camera is seen from a finite place", "[cli][bake]") {
+    const ScratchFolder folder;
+    write_file(folder / "empty.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "scene": 0,
+                                          "nodes": [{"name": "Nothing"}]})");
+    const Outcome outcome = run_gridreel({"bake", "empty.gltf", "-o", "t.ply"}, {.folder = folder.path()});
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const json cameras = json::parse(bytes_of(folder / "empty.cameras.json"));
+    const json& view = cameras["frames"][0];
+    for (const json& coordinate : view["eye"]) CHECK(coordinate.is_number());
+    CHECK(view["aspect"].get<double>() == Approx(16.0 / 9.0));
+}
+
+TEST_CASE("the height for a sliver of a camera stays within the largest picture", "[cli][bake]") {
+    const ScratchFolder folder;
+    std::string gltf = bytes_of(write_tiny_scene(folder.path()));
+    const std::string stated = R"("aspectRatio": 2.0)";
+    gltf.replace(gltf.find(stated), stated.size(), R"("aspectRatio": 1e-9)");
+    write_file(folder / "tiny.gltf", gltf);
+    const Outcome outcome =
+        run_gridreel({"bake", "tiny.gltf", "-o", "t.ply", "-f", "0", "-s", "64x"}, {.folder = folder.path()});
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const json cameras = json::parse(bytes_of(folder / "tiny.cameras.json"));
+    CHECK(cameras["frames"][0]["aspect"].get<double>() == Approx(64.0 / 65535.0));
+}
