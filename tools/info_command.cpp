@@ -1,4 +1,5 @@
 #include "sequences/scene_info.h"
+#include "tools/allowed_parallelism.h"
 #include "tools/command.h"
 
 #include <CLI/App.hpp>
@@ -24,6 +25,7 @@ Command add_info_command(CLI::App& program) {
     add_take_options(*app, text->take, FrameOption::left_out);
     app->add_flag("--json", text->json, "One JSON object")->group("Output");
     return {.app = app, .run = [text](const CommonOptions&, Console& console) {
+                const AllowedParallelism limit;
                 const sequences::SceneInfo info = sequences::inspect(read_take(text->take));
                 console.result(text->json ? sequences::to_json_text(info) : sequences::to_text(info));
                 return ExitCode::done;
