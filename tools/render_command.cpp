@@ -161,6 +161,10 @@ Command add_render_command(CLI::App& program) {
     add_output_options(*app, *text);
     add_machine_options(*app, *text);
     add_grid_options(*app, text->picture);
+    // Scripts put their own before the user's: the later one wins.
+    for (const char* const name : {"--frames", "--size"}) {
+        app->get_option(name)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    }
     return {.app = app,
             .run = [text](const CommonOptions&, Console& console) { return render(*text, console); }};
 }

@@ -207,3 +207,17 @@ TEST_CASE("quiet means no word unless something is wrong", "[cli][render]") {
     CHECK(wrong.exit_code == 3);
     CHECK_FALSE(wrong.err.empty());
 }
+
+TEST_CASE("of two lists of frames or sizes the later one wins", "[cli][render]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    const Outcome outcome = run_gridreel({"render", "tiny.gltf", "-f", "0-3", "-s", "64x32", "--frames", "1",
+                                          "--size", "16x8", "-o", "t.####.exr"},
+                                         {.folder = folder.path()});
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const auto lines = read_log(folder / "t.jsonl");
+    REQUIRE(lines.size() == 2);
+    CHECK(lines[0]["options"]["size"] == nlohmann::json{16, 8});
+    CHECK(lines[1]["frame"] == 1);
+}

@@ -76,15 +76,15 @@ test_all_goes_through_every_preset() {
 
 demo_renders_the_marbles_from_any_folder() {
     cd /
-    "$house/tools/demo" --frames 0-1
+    "$house/tools/demo" --frames 0-1 -o out/m.####.png
     expect_calls "cmake --preset release" "cmake --build build/release --parallel 3 --target gridreel" \
-        "$house: gridreel render --config sequences/gallery/marbles/job.toml --frames 0-1"
+        "/: gridreel render --config $house/sequences/gallery/marbles/job.toml --frames 0-1 -o out/m.####.png"
     [[ -e $project/sequences/gallery/marbles/job.toml ]]
 }
 
 quick_demo_renders_a_few_small_frames() {
-    "$house/tools/demo" --quick
-    grep -q "job.toml --frames 0-3 --size 320x180$" "$calls"
+    "$house/tools/demo" --quick --frames 0-1
+    grep -q "job.toml --frames 0-3 --size 320x180 --frames 0-1$" "$calls"
 }
 
 ci_ends_with_the_closing_lines_of_ctest() {
