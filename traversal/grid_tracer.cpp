@@ -40,7 +40,7 @@ struct Workspace {
 
 /// Sorts up to 256 neighbouring rays of a batch by frame and traces each frame's as a packet.
 /// @param march   marches a loaded packet
-/// @param finish  called with every ray: its place in the packet, or none when it hits nothing
+/// @param finish  told of every ray: `miss`, or `hit` with its place in the marched packet
 template <class March, class Finish>
 TraceReport trace_neighbours(const RayBatch& rays, std::span<const std::uint32_t> order, std::size_t begin,
                              std::size_t end, Workspace& work, const March& march, const Finish& finish) {
