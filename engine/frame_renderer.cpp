@@ -62,7 +62,6 @@ struct FrameRenderer::State {
           order(pixel_order(settings.width, height)),
           pattern{.samples = settings.samples, .seed = settings.seed},
           geometry(anim::lay_out(scene, clip)),
-          twins(scene, geometry),
           cut_outs(has_cut_outs(scene, geometry)),
           tracer(traversal::make_tracer(settings.tracer)) {
         choose_lights();
@@ -121,7 +120,6 @@ struct FrameRenderer::State {
 
     // What every frame overwrites.
     anim::FrameGeometry geometry;
-    TwinTriangles twins;
     bool cut_outs = false;
     std::unique_ptr<traversal::Tracer> tracer;
     Band band;
@@ -152,7 +150,7 @@ FrameReport FrameRenderer::render(double time_s, Film& film) {
 
     // Trace and shade, band by band.
     const Stopwatch making_pixels;
-    const PosedScene posed{.geometry = s.geometry, .pose = pose, .textures = s.textures, .twins = s.twins};
+    const PosedScene posed{.geometry = s.geometry, .pose = pose, .textures = s.textures};
     const View view = s.view_in(pose);
     const Lighting lighting = s.lighting_in(pose);
     const Frame frame{.scene = posed,

@@ -15,12 +15,6 @@
 namespace gridreel::engine {
 namespace {
 
-/// Just behind a hit, so far that rounding inside a tracer cannot find the same hit again.
-float just_behind(float t) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    return std::max(t * (1.0f + 4.0f * std::numeric_limits<float>::epsilon()), std::nextafter(t, infinity));
-}
-
 /// Fewer rays than this share of the batch are no neighbours any more: as packets they would see the whole
 /// scene, so each goes alone, with its own origin.
 constexpr std::size_t sparse_share = 64;
@@ -32,14 +26,8 @@ TraceCost timed_closest(traversal::Tracer& tracer, const traversal::RayBatch& ra
     return {.report = report, .ms = watch.ms()};
 }
 
-/// Puts the triangle where the ray stops in the place of the one it met.
-/// @return false, and `triangle` as it was, for a ray that goes on behind it
-bool settle(std::uint32_t& triangle, const PosedScene& scene, const Ray& ray, RayKind kind) {
-    if (triangle == traversal::no_triangle) return true;
-    const std::uint32_t stop = stopping_triangle(scene, triangle, ray, kind);
-    if (stop == traversal::no_triangle) return false;
-    triangle = stop;
-    return true;
+bool goes_on(const PosedScene& scene, std::uint32_t triangle, const Ray& ray, RayKind kind) {
+    return triangle != traversal::no_triangle && !stops_at(scene, triangle, ray, kind);
 }
 
 }  // namespace
@@ -58,7 +46,7 @@ TraceCost OpaqueHits::closest(traversal::Tracer& tracer, const traversal::RayBat
     goes_on_.resize(rays.size());
     tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
         const Ray ray{.origin = rays.origin_of(i), .direction = rays.direction_of(i)};
-        goes_on_[i] = !settle(hits.triangle[i], scene, ray, kind);
+        goes_on_[i] = goes_on(scene, hits.triangle[i], ray, kind);
     });
     compact(goes_on_, ray_of_);
 
@@ -67,12 +55,14 @@ TraceCost OpaqueHits::closest(traversal::Tracer& tracer, const traversal::RayBat
         const bool sparse = ray_of_.size() < rays.size() / sparse_share;
         const std::optional<glm::vec3> origin = sparse ? std::nullopt : rays.common_origin;
         rest_.resize(ray_of_.size(), origin, rays.order);
+        rest_.after_triangle.resize(ray_of_.size());
         tbb::parallel_for(std::size_t{0}, ray_of_.size(), [&](std::size_t i) {
             const std::size_t ray = ray_of_[i];
             if (!origin) rest_.set_origin(i, rays.origin_of(ray));
             rest_.set_direction(i, rays.direction_of(ray));
-            rest_.t_min[i] = just_behind(hits.t[ray]);
+            rest_.t_min[i] = rays.t_min[ray];
             rest_.t_max[i] = rays.t_max[ray];
+            rest_.after_triangle[i] = hits.triangle[ray];
         });
         cost += timed_closest(tracer, rest_, rest_hits_);
 
@@ -83,7 +73,7 @@ TraceCost OpaqueHits::closest(traversal::Tracer& tracer, const traversal::RayBat
             hits.t[ray] = rest_hits_.t[i];
             hits.triangle[ray] = rest_hits_.triangle[i];
             const Ray path{.origin = rays.origin_of(ray), .direction = rays.direction_of(ray)};
-            goes_on_[i] = !settle(hits.triangle[ray], scene, path, kind);
+            goes_on_[i] = goes_on(scene, hits.triangle[ray], path, kind);
         });
         compact(goes_on_, chosen_);
         next_ray_of_.resize(chosen_.size());

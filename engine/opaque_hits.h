@@ -23,7 +23,7 @@ struct TraceCost {
 class OpaqueHits {
 public:
     /// As `Tracer::closest_hits`. Rays that go on are traced as a smaller batch, from the same origins in the
-    /// same order, with their last hit as the new t_min.
+    /// same order, behind the triangle they saw through.
     TraceCost closest(traversal::Tracer& tracer, const traversal::RayBatch& rays, const PosedScene& scene,
                       RayKind kind, traversal::HitBatch& hits);
 

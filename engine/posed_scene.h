@@ -5,7 +5,6 @@
 #include "anim/pose.h"
 #include "anim/scene.h"
 #include "engine/textures.h"
-#include "engine/twin_triangles.h"
 
 #include <cstdint>
 
@@ -16,7 +15,6 @@ struct PosedScene {
     const anim::FrameGeometry& geometry;
     const anim::Pose& pose;
     const Textures& textures;
-    const TwinTriangles& twins;
 
     [[nodiscard]] const anim::Part& part_of(std::uint32_t triangle) const {
         return geometry.parts[geometry.triangle_part[triangle]];

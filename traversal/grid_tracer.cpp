@@ -42,12 +42,13 @@ struct Workspace {
 /// @param march   marches a loaded packet
 /// @param finish  told of every ray: `miss`, or `hit` with its place in the marched packet
 template <class March, class Finish>
-TraceReport trace_neighbours(const RayBatch& rays, std::span<const std::uint32_t> order, std::size_t begin,
-                             std::size_t end, Workspace& work, const March& march, const Finish& finish) {
+TraceReport trace_neighbours(const RayBatch& rays, const ResumedRays& resumed,
+                             std::span<const std::uint32_t> order, std::size_t begin, std::size_t end,
+                             Workspace& work, const March& march, const Finish& finish) {
     for (auto& face : work.faces) face.clear();
     for (std::size_t i = begin; i < end; ++i) {
         const std::uint32_t ray = order.empty() ? static_cast<std::uint32_t>(i) : order[i];
-        const RayFrame frame = ray_frame(rays, ray);
+        const RayFrame frame = resumed.frame(rays, ray);
         if (frame.hits_nothing()) {
             finish.miss(ray);
         } else {
@@ -66,8 +67,8 @@ TraceReport trace_neighbours(const RayBatch& rays, std::span<const std::uint32_t
 }
 
 template <class March, class Finish>
-TraceReport trace_in_packets(const RayBatch& rays, std::span<const std::uint32_t> order, const March& march,
-                             const Finish& finish) {
+TraceReport trace_in_packets(const RayBatch& rays, const ResumedRays& resumed,
+                             std::span<const std::uint32_t> order, const March& march, const Finish& finish) {
     const std::size_t packets = (rays.size() + rays_per_packet - 1) / rays_per_packet;
     return trace_in_parallel(packets, packets_per_task, [&](std::size_t first, std::size_t last) {
         const auto work = std::make_unique<Workspace>();
@@ -75,7 +76,7 @@ TraceReport trace_in_packets(const RayBatch& rays, std::span<const std::uint32_t
         for (std::size_t p = first; p < last; ++p) {
             const std::size_t begin = p * rays_per_packet;
             const std::size_t end = std::min(begin + rays_per_packet, rays.size());
-            report += trace_neighbours(rays, order, begin, end, *work, march, finish);
+            report += trace_neighbours(rays, resumed, order, begin, end, *work, march, finish);
         }
         return report;
     });
@@ -116,29 +117,31 @@ rebuild::BuildReport GridTracer::rebuild(const rebuild::TriangleView& triangles)
 
 TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
     hits.resize(rays.size());
+    resumed_.begin(rays, triangles_);
     const GridScene scene{builder_.grid(), triangles_};
     if (in_packets(rays)) {
         return trace_in_packets(
-            rays, order_of(rays),
+            rays, resumed_, order_of(rays),
             [&](Packet& packet, Candidates& candidates) { return march_closest(scene, packet, candidates); },
             StoreHits{hits});
     }
     return trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t begin, std::size_t end) {
-        return closest_one_by_one(scene, rays, begin, end, hits);
+        return closest_one_by_one(scene, rays, resumed_, begin, end, hits);
     });
 }
 
 TraceReport GridTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded) {
     occluded.resize(rays.size());
+    resumed_.begin(rays, triangles_);
     const GridScene scene{builder_.grid(), triangles_};
     if (in_packets(rays)) {
         return trace_in_packets(
-            rays, order_of(rays),
+            rays, resumed_, order_of(rays),
             [&](Packet& packet, Candidates& candidates) { return march_any(scene, packet, candidates); },
             StoreOcclusion{occluded});
     }
     return trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t begin, std::size_t end) {
-        return any_one_by_one(scene, rays, begin, end, occluded);
+        return any_one_by_one(scene, rays, resumed_, begin, end, occluded);
     });
 }
 

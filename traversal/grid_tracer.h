@@ -3,6 +3,7 @@
 
 #include "rebuild/grid_builder.h"
 #include "traversal/ray_sort.h"
+#include "traversal/resumed_rays.h"
 #include "traversal/tracer.h"
 
 namespace gridreel::traversal {
@@ -26,6 +27,7 @@ private:
     Traversal traversal_;
     rebuild::GridBuilder builder_;
     rebuild::TriangleView triangles_;
+    ResumedRays resumed_;
     RaySort ray_sort_;
     rebuild::Buffer<std::uint32_t> order_;
 };

@@ -23,6 +23,7 @@ DepthHit closest_of_all(const CornerRuns& corners, const glm::vec3& origin, cons
     const V slope_u = hn::Set(d, ray.slope_u);
     const V slope_v = hn::Set(d, ray.slope_v);
     const V depth_min = hn::Set(d, ray.depth_min);
+    const auto after = hn::Set(du, ray.after);
     V best = hn::Set(d, ray.depth_max);
     auto best_group = hn::Set(du, no_triangle);
 
@@ -46,8 +47,11 @@ DepthHit closest_of_all(const CornerRuns& corners, const glm::vec3& origin, cons
             return meet_in_double(framed_corner(0, first + lane), framed_corner(1, first + lane),
                                   framed_corner(2, first + lane), ray.axes.sign(), ray.slope_u, ray.slope_v);
         });
-        const auto closer =
-            hn::And(met.inside, hn::And(hn::Gt(met.depth, depth_min), hn::Lt(met.depth, best)));
+        const auto index = hn::Add(hn::Iota(du, 0), hn::Set(du, static_cast<std::uint32_t>(first)));
+        const auto begun =
+            hn::Or(hn::Gt(met.depth, depth_min),
+                   hn::And(hn::Eq(met.depth, depth_min), hn::RebindMask(d, hn::Gt(index, after))));
+        const auto closer = hn::And(met.inside, hn::And(begun, hn::Lt(met.depth, best)));
         best = hn::IfThenElse(closer, met.depth, best);
         best_group = hn::IfThenElse(hn::RebindMask(du, closer),
                                     hn::Set(du, static_cast<std::uint32_t>(first)), best_group);

@@ -31,10 +31,11 @@ std::array<glm::vec3, 3> traceable_corners(const rebuild::TriangleView& triangle
 }
 
 template <class Store>
-TraceReport trace(const RayBatch& rays, const CornerRuns& corners, const Store& store) {
+TraceReport trace(const RayBatch& rays, const ResumedRays& resumed, const CornerRuns& corners,
+                  const Store& store) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), rays_per_task), [&](const auto& range) {
         for (std::size_t ray = range.begin(); ray < range.end(); ++ray) {
-            const RayFrame frame = ray_frame(rays, ray);
+            const RayFrame frame = resumed.frame(rays, ray);
             const glm::vec3 origin = rays.origin_of(ray);
             const bool traceable = !frame.hits_nothing() && rebuild::is_traceable(origin);
             const DepthHit hit = traceable ? closest_of_all(corners, origin, frame) : DepthHit{};
@@ -48,12 +49,12 @@ TraceReport trace(const RayBatch& rays, const CornerRuns& corners, const Store& 
 
 rebuild::BuildReport NaiveTracer::rebuild(const rebuild::TriangleView& triangles) {
     const auto start = std::chrono::steady_clock::now();
-    triangle_count_ = triangles.size();
-    const std::size_t run = padded(triangle_count_);
+    triangles_ = triangles;
+    const std::size_t run = padded(triangles_.size());
     corners_.resize(9 * run);
     for (std::size_t i = 0; i < run; ++i) {
         const std::array<glm::vec3, 3> corners =
-            i < triangle_count_ ? traceable_corners(triangles, i) : never_hit;
+            i < triangles_.size() ? traceable_corners(triangles, i) : never_hit;
         for (std::size_t corner = 0; corner < 3; ++corner) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 corners_[(3 * corner + axis) * run + i] = corners[corner][static_cast<int>(axis)];
@@ -66,8 +67,9 @@ rebuild::BuildReport NaiveTracer::rebuild(const rebuild::TriangleView& triangles
 
 TraceReport NaiveTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
     hits.resize(rays.size());
-    const CornerRuns corners{corners_.data(), triangle_count_, padded(triangle_count_)};
-    return trace(rays, corners, [&](std::size_t ray, const RayFrame& frame, const DepthHit& hit) {
+    resumed_.begin(rays, triangles_);
+    const CornerRuns corners{corners_.data(), triangles_.size(), padded(triangles_.size())};
+    return trace(rays, resumed_, corners, [&](std::size_t ray, const RayFrame& frame, const DepthHit& hit) {
         const bool missed = hit.triangle == no_triangle;
         hits.t[ray] = missed ? std::numeric_limits<float>::infinity() : frame.t_of(hit.depth);
         hits.triangle[ray] = hit.triangle;
@@ -76,8 +78,9 @@ TraceReport NaiveTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
 
 TraceReport NaiveTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded) {
     occluded.resize(rays.size());
-    const CornerRuns corners{corners_.data(), triangle_count_, padded(triangle_count_)};
-    return trace(rays, corners, [&](std::size_t ray, const RayFrame&, const DepthHit& hit) {
+    resumed_.begin(rays, triangles_);
+    const CornerRuns corners{corners_.data(), triangles_.size(), padded(triangles_.size())};
+    return trace(rays, resumed_, corners, [&](std::size_t ray, const RayFrame&, const DepthHit& hit) {
         occluded[ray] = hit.triangle != no_triangle;
     });
 }

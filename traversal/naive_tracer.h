@@ -1,6 +1,7 @@
 #pragma once
 // Every triangle for every ray: the oracle of all other tracers, and the survey's baseline.
 
+#include "traversal/resumed_rays.h"
 #include "traversal/tracer.h"
 
 namespace gridreel::traversal {
@@ -14,7 +15,8 @@ public:
     TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) override;
 
 private:
-    std::size_t triangle_count_ = 0;
+    rebuild::TriangleView triangles_;
+    ResumedRays resumed_;
     rebuild::Buffer<float> corners_;  ///< 9 runs of `padded_count` floats: x, y, z of A, B, C
 };
 

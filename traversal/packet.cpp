@@ -28,6 +28,7 @@ void load_packet(const glm::vec3& origin, Axes axes, std::span<const FramedRay> 
         packet.slope_u[lane] = ray.frame.slope_u;
         packet.slope_v[lane] = ray.frame.slope_v;
         packet.depth_min[lane] = ray.frame.depth_min;
+        packet.after[lane] = ray.frame.after;
         packet.depth[lane] = real ? ray.frame.depth_max : -1.0f;
         packet.triangle[lane] = no_hit_yet;
         packet.ray[lane] = ray.ray;
@@ -43,8 +44,10 @@ void load_packet(const glm::vec3& origin, Axes axes, std::span<const FramedRay> 
         const std::size_t first = block * rays_per_block;
         bound_slopes(packet.slope_u + first, packet.centre_u[block], packet.half_u[block]);
         bound_slopes(packet.slope_v + first, packet.centre_v[block], packet.half_v[block]);
+        // A hit just behind depth_min may be rounded beyond it from a slice before.
         packet.near_depth[block] =
-            *std::min_element(packet.depth_min + first, packet.depth_min + first + rays_per_block);
+            *std::min_element(packet.depth_min + first, packet.depth_min + first + rays_per_block) *
+            (1.0f - static_cast<float>(depth_error));
         packet.far_depth[block] =
             *std::max_element(packet.depth + first, packet.depth + first + rays_per_block);
     }

@@ -22,6 +22,7 @@ struct alignas(64) Packet {
     float slope_u[rays_per_packet];
     float slope_v[rays_per_packet];
     float depth_min[rays_per_packet];
+    std::uint32_t after[rays_per_packet];  ///< at depth_min, triangles with a higher index count too
     float depth[rays_per_packet];  ///< nearest hit so far, first the ray's limit; -1: needs no more hits
     std::uint32_t triangle[rays_per_packet];  ///< of the nearest hit; `no_hit_yet` before
 
@@ -30,7 +31,7 @@ struct alignas(64) Packet {
     float half_u[blocks_per_packet];
     float centre_v[blocks_per_packet];
     float half_v[blocks_per_packet];
-    float near_depth[blocks_per_packet];  ///< least depth_min
+    float near_depth[blocks_per_packet];  ///< least depth_min, less `depth_error`
     float far_depth[blocks_per_packet];   ///< greatest depth; negative when the block is done
 
     glm::vec3 origin;

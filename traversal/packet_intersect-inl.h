@@ -196,9 +196,11 @@ HWY_INLINE void intersect_block(Packet& packet, const EdgeFunctions<Lanes>& edge
         const Lanes best = hn::Load(d, packet.depth + first);
         const auto held = hn::Load(du, packet.triangle + first);
         const auto wins_tie = hn::And(hn::Eq(met.depth, best), hn::RebindMask(d, hn::Lt(index, held)));
-        const auto closer =
-            hn::And(hn::And(met.inside, hn::Gt(met.depth, hn::Load(d, packet.depth_min + first))),
-                    hn::Or(hn::Lt(met.depth, best), wins_tie));
+        const Lanes depth_min = hn::Load(d, packet.depth_min + first);
+        const auto is_after = hn::RebindMask(d, hn::Gt(index, hn::Load(du, packet.after + first)));
+        const auto begun =
+            hn::Or(hn::Gt(met.depth, depth_min), hn::And(hn::Eq(met.depth, depth_min), is_after));
+        const auto closer = hn::And(hn::And(met.inside, begun), hn::Or(hn::Lt(met.depth, best), wins_tie));
         if (hn::AllFalse(d, closer)) continue;
         changed = true;
         const Lanes depth = wanted == Wanted::any ? hn::Set(d, -1.0f) : met.depth;

@@ -11,6 +11,7 @@ void RayBatch::resize(std::size_t count, std::optional<glm::vec3> shared_origin,
     for (auto& axis : direction) axis.resize(count);
     t_min.resize(count);
     t_max.resize(count);
+    after_triangle.resize(0);
 }
 
 glm::vec3 RayBatch::origin_of(std::size_t ray) const {

@@ -29,11 +29,14 @@ struct RayBatch {
     std::array<rebuild::Buffer<float>, 3> direction;  ///< x, y, z
     rebuild::Buffer<float> t_min;                     ///< >= 0
     rebuild::Buffer<float> t_max;
+    /// Empty, or for every ray a triangle that it is known to meet, whose hit it goes on behind: only hits
+    /// that come later count, in the order of distance and then of index. t_min is not looked at.
+    rebuild::Buffer<std::uint32_t> after_triangle;
 
     [[nodiscard]] std::size_t size() const { return t_max.size(); }
 
-    /// Makes room for `count` rays, contents unspecified. Allocates only when it outgrows all earlier
-    /// batches.
+    /// Makes room for `count` rays, contents unspecified, that go on behind nothing. Allocates only when it
+    /// outgrows all earlier batches.
     void resize(std::size_t count, std::optional<glm::vec3> shared_origin, RayOrder ray_order);
 
     [[nodiscard]] glm::vec3 origin_of(std::size_t ray) const;

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace gridreel::traversal {
@@ -39,6 +40,7 @@ struct RayFrame {
     float depth_per_t = 0.0f;  ///< |d_K|; 0: the ray hits nothing
     float depth_min = 0.0f;    ///< open interval in which a hit counts
     float depth_max = 0.0f;
+    std::uint32_t after = no_triangle;  ///< at depth_min, hits of triangles with a higher index count too
 
     [[nodiscard]] bool hits_nothing() const { return !(depth_min < depth_max); }
     [[nodiscard]] float t_of(float depth) const { return depth / depth_per_t; }

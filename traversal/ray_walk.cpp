@@ -1,6 +1,7 @@
 #include "traversal/ray_walk.h"
 
 #include "rebuild/triangle_view.h"
+#include "traversal/rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,8 @@ RayWalk::RayWalk(const rebuild::Grid& grid, const glm::vec3& origin, const RayFr
     slope[ray.axes.v()] = ray.slope_v;
 
     // Clip the ray against the box.
-    double enter = ray.depth_min;
+    // A hit just behind depth_min may be rounded beyond it from a cell before.
+    double enter = double(ray.depth_min) * (1.0 - depth_error);
     double leave = ray.depth_max;
     for (int axis = 0; axis < 3; ++axis) {
         const double low = double(grid.bounds.min[axis]) - double(origin[axis]);

@@ -3,6 +3,7 @@
 // that have no common origin.
 
 #include "traversal/grid_scene.h"
+#include "traversal/resumed_rays.h"
 #include "traversal/tracer.h"
 
 #include <cstddef>
@@ -10,11 +11,11 @@
 namespace gridreel::traversal {
 
 /// Closest hits of rays [begin, end), by 3D-DDA with mailboxing.
-TraceReport closest_one_by_one(const GridScene& scene, const RayBatch& rays, std::size_t begin,
-                               std::size_t end, HitBatch& hits);
+TraceReport closest_one_by_one(const GridScene& scene, const RayBatch& rays, const ResumedRays& resumed,
+                               std::size_t begin, std::size_t end, HitBatch& hits);
 
 /// Whether anything blocks rays [begin, end); each walk ends at its first hit.
-TraceReport any_one_by_one(const GridScene& scene, const RayBatch& rays, std::size_t begin, std::size_t end,
-                           OcclusionBatch& occluded);
+TraceReport any_one_by_one(const GridScene& scene, const RayBatch& rays, const ResumedRays& resumed,
+                           std::size_t begin, std::size_t end, OcclusionBatch& occluded);
 
 }  // namespace gridreel::traversal

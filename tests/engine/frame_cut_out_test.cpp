@@ -157,6 +157,37 @@ TEST_CASE("a sheet modelled as two coinciding sides shows the side that faces th
     CHECK(seen(film, -0.7, 0.6) == Seen::curtain);
 }
 
+TEST_CASE("a picture cut out of a wall's own triangles shows the wall behind it", "[engine]") {
+    // Decal and wall have the very same corners; whichever comes first in the file, the ray meets both.
+    const bool decal_first = GENERATE(true, false);
+    CurtainScene scene;
+    scene.cut_right_half();
+    anim::Primitive wall = scene.builder.scene.meshes[0].primitives[0];
+    wall.material = scene.builder.scene.meshes[1].primitives[0].material;
+    if (GENERATE(false, true)) {  // the same quad, cut along its other diagonal
+        wall.triangles = {{1, 2, 3}, {3, 0, 1}};
+    }
+    auto& primitives = scene.builder.scene.meshes[0].primitives;
+    primitives.insert(decal_first ? primitives.end() : primitives.begin(), wall);
+    const Film film = picture(scene);
+    for (int row = 28; row < 36; ++row) {
+        const float* pixel = film.pixel(36, row);  // the cut-out half
+        CHECK(pixel[Film::Z] == Approx(5.0f));
+        CHECK(pixel[Film::R] > 0.5f);
+        CHECK(pixel[Film::G] < 0.1f * pixel[Film::R]);  // its highlight is white
+    }
+    if (decal_first) CHECK(film.pixel(28, 31)[Film::G] > 0.5f);
+}
+
+TEST_CASE("many coinciding sheets are passed one by one", "[engine]") {
+    CurtainScene scene(false);  // seen from behind: culled, a hundred times over
+    auto& primitives = scene.builder.scene.meshes[0].primitives;
+    primitives.resize(100, primitives[0]);
+    primitives.push_back(primitives[0]);
+    for (glm::uvec3& triangle : primitives.back().triangles) std::swap(triangle.y, triangle.z);
+    CHECK(seen(picture(scene), 0.5, 0.0) == Seen::curtain);
+}
+
 TEST_CASE("a blended material is drawn opaque, and a note says so", "[engine]") {
     CurtainScene scene;
     scene.material().alpha_mode = anim::AlphaMode::blend;

@@ -10,9 +10,12 @@
 
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gridreel::tests {
@@ -94,6 +97,67 @@ TEST_CASE("every tracer gives the naive answer, bit for bit", "[traversal][oracl
     for (const Triangles& triangles : nasty_triangles())
         compared += check_against_oracle(triangles, 5000, 1.0f);
     CHECK(compared > 1'000'000);
+}
+
+TEST_CASE("rays that go on behind what they hit meet every triangle once, nearest first",
+          "[traversal][oracle]") {
+    // Each triangle three times over: itself, its back, and a copy that begins at another corner.
+    const bool in_one_plane = GENERATE(false, true);
+    Triangles triangles = in_one_plane ? coplanar(60) : soup(150, 0.4f);
+    const std::vector<glm::uvec3> once = triangles.triangles;
+    for (const glm::uvec3& t : once) triangles.triangles.push_back({t.x, t.z, t.y});
+    for (const glm::uvec3& t : once) triangles.triangles.push_back({t.y, t.z, t.x});
+    const std::size_t count = triangles.triangles.size();
+
+    for (const TracerKind kind : {TracerKind::naive, TracerKind::grid, TracerKind::grid_single}) {
+        for (NamedRays& batch : nasty_batches(triangles, 400)) {
+            INFO(triangles.name << ", " << batch.name << ", " << name_of(kind));
+            const auto tracer = make_tracer({.kind = kind, .resolution = {}});
+            tracer->rebuild(triangles.view());
+
+            // Without going on: one ray at a time against one triangle at a time.
+            RayBatch& rays = batch.rays;
+            std::vector<std::vector<std::pair<float, std::uint32_t>>> expected(rays.size());
+            const auto alone = make_tracer({.kind = TracerKind::naive, .resolution = {}});
+            HitBatch hits;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                alone->rebuild({triangles.positions, std::span(triangles.triangles).subspan(i, 1)});
+                alone->closest_hits(rays, hits);
+                for (std::size_t ray = 0; ray < rays.size(); ++ray) {
+                    if (hits.triangle[ray] != traversal::no_triangle)
+                        expected[ray].emplace_back(hits.t[ray], i);
+                }
+            }
+
+            std::vector<std::vector<std::pair<float, std::uint32_t>>> met(rays.size());
+            tracer->closest_hits(rays, hits);
+            for (std::size_t round = 0; round <= count; ++round) {
+                rays.after_triangle.resize(rays.size());
+                std::size_t still_going = 0;
+                for (std::size_t ray = 0; ray < rays.size(); ++ray) {
+                    if (hits.triangle[ray] == traversal::no_triangle) {
+                        rays.t_max[ray] = rays.t_min[ray];
+                        rays.after_triangle[ray] = 0;
+                        continue;
+                    }
+                    ++still_going;
+                    met[ray].emplace_back(hits.t[ray], hits.triangle[ray]);
+                    rays.after_triangle[ray] = hits.triangle[ray];
+                }
+                if (still_going == 0) break;
+                tracer->closest_hits(rays, hits);
+            }
+            std::size_t wrong = 0;
+            for (std::size_t ray = 0; ray < rays.size(); ++ray) {
+                CHECK(std::is_sorted(met[ray].begin(), met[ray].end(),
+                                     [](const auto& a, const auto& b) { return a.first < b.first; }));
+                std::sort(met[ray].begin(), met[ray].end());
+                std::sort(expected[ray].begin(), expected[ray].end());
+                wrong += met[ray] != expected[ray];
+            }
+            CHECK(wrong == 0);
+        }
+    }
 }
 
 TEST_CASE("the answer does not depend on lambda", "[traversal][oracle]") {
