@@ -34,9 +34,10 @@ public:
         const auto edges =
             edge_functions(lane, in_lane(a), in_lane(b), in_lane(c), hn::Set(lane, ray_.axes.sign()));
         const auto met =
-            meet(lane, edges, hn::Set(lane, ray_.slope_u), hn::Set(lane, ray_.slope_v), [&](std::size_t) {
-                return meet_in_double(a, b, c, ray_.axes.sign(), ray_.slope_u, ray_.slope_v);
-            });
+            meet(lane, edges, hn::Set(lane, ray_.slope_u), hn::Set(lane, ray_.slope_v), hn::Inf(lane),
+                 [&](std::size_t) {
+                     return meet_in_double(a, b, c, ray_.axes.sign(), ray_.slope_u, ray_.slope_v);
+                 });
         return hn::GetLane(hn::IfThenElse(met.inside, met.depth, hn::NaN(lane)));
     }
 

@@ -43,7 +43,7 @@ DepthHit closest_of_all(const CornerRuns& corners, const glm::vec3& origin, cons
     };
     for (std::size_t first = 0; first < corners.count; first += lanes) {
         const auto edges = edge_functions(d, corner(0, first), corner(1, first), corner(2, first), sign);
-        const auto met = meet(d, edges, slope_u, slope_v, [&](std::size_t lane) {
+        const auto met = meet(d, edges, slope_u, slope_v, best, [&](std::size_t lane) {
             return meet_in_double(framed_corner(0, first + lane), framed_corner(1, first + lane),
                                   framed_corner(2, first + lane), ray.axes.sign(), ray.slope_u, ray.slope_v);
         });

@@ -2,13 +2,11 @@
 // Up to 256 rays from one origin along one axis, in 16 blocks of 16.
 
 #include "traversal/ray_frame.h"
-#include "traversal/rounding.h"
 
 #include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace gridreel::traversal {
 
@@ -21,10 +19,13 @@ inline constexpr std::size_t rays_per_packet = rays_per_block * blocks_per_packe
 struct alignas(64) Packet {
     float slope_u[rays_per_packet];
     float slope_v[rays_per_packet];
+    float depth_per_t[rays_per_packet];
     float depth_min[rays_per_packet];
-    std::uint32_t after[rays_per_packet];  ///< at depth_min, triangles with a higher index count too
-    float depth[rays_per_packet];  ///< nearest hit so far, first the ray's limit; -1: needs no more hits
+    float depth_max[rays_per_packet];
+    std::uint32_t after[rays_per_packet];     ///< at depth_min, triangles with a higher index count too
+    float depth[rays_per_packet];             ///< nearest hit so far, first depth_max; -1: needs no more hits
     std::uint32_t triangle[rays_per_packet];  ///< of the nearest hit; `no_hit_yet` before
+    std::uint32_t ray[rays_per_packet];       ///< position in the batch
 
     // Of each block: its slopes lie within centre +- half, widened by `rounding_margin`.
     float centre_u[blocks_per_packet];
@@ -37,7 +38,6 @@ struct alignas(64) Packet {
     glm::vec3 origin;
     Axes axes;
     std::uint32_t ray_count;
-    std::uint32_t ray[rays_per_packet];  ///< position in the batch
 
     [[nodiscard]] std::size_t block_count() const {
         return (ray_count + rays_per_block - 1) / rays_per_block;
@@ -46,15 +46,5 @@ struct alignas(64) Packet {
 
 /// Lower than any index that could tie with it, so that a hit exactly at a ray's limit does not count.
 inline constexpr std::uint32_t no_hit_yet = 0;
-
-/// One ray of a batch, ready for a packet.
-struct FramedRay {
-    RayFrame frame;
-    std::uint32_t ray = 0;
-};
-
-/// Fills a packet with rays that all have the frame `axes`.
-/// @param rays  1 to 256 of them, none of which hits nothing
-void load_packet(const glm::vec3& origin, Axes axes, std::span<const FramedRay> rays, Packet& packet);
 
 }  // namespace gridreel::traversal

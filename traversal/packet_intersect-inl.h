@@ -8,7 +8,11 @@
 #define GRIDREEL_TRAVERSAL_PACKET_INTERSECT_INL_H_
 #endif
 
-#include "traversal/packet_kernel.h"
+#include "traversal/candidates.h"
+#include "traversal/grid_scene.h"
+#include "traversal/lanes-inl.h"
+#include "traversal/packet.h"
+#include "traversal/tracer.h"
 #include "traversal/triangle-inl.h"
 
 #include <algorithm>
@@ -20,20 +24,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
 namespace HWY_NAMESPACE {
-
-enum class Wanted { closest, any };
-
-/// Lanes are triangles, blocks or rays, 16 of each: one, two or four registers.
-inline constexpr std::size_t group = 16;
-using LaneTag = hn::CappedTag<float, group>;
-using Lanes = hn::Vec<LaneTag>;
-
-/// Bits of a mask of up to 16 lanes.
-HWY_INLINE unsigned bits_of(LaneTag d, hn::Mask<LaneTag> mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, mask, bytes);
-    return static_cast<unsigned>(bytes[0]) | static_cast<unsigned>(bytes[1]) << 8;
-}
 
 /// The hull of the active blocks: slopes within centre +- half, depths that can still matter.
 struct Frustum {
@@ -69,25 +59,34 @@ struct alignas(64) EdgeTable {
     float volume[group], error[group], sure[group], depth_min[group], depth_max[group];
 };
 
-/// The corners of 16 triangles relative to the packet's origin, in the order K, U, V.
+/// The corners of 16 triangles as they stand in memory, four floats each, the fourth meaningless.
 struct alignas(64) CornerTable {
-    float axis[3][3][group];  // corner, axis, triangle
+    float corner[3][group][4];
 
-    [[nodiscard]] FramedPoint point(int corner, int triangle) const {
-        return {
-            .k = axis[corner][0][triangle], .u = axis[corner][1][triangle], .v = axis[corner][2][triangle]};
+    /// A corner in the packet's frame.
+    [[nodiscard]] FramedPoint point(const Packet& packet, int which, int triangle) const {
+        const float* p = corner[which][triangle];
+        const auto along = [&](int axis) { return p[axis] - packet.origin[axis]; };
+        return {.k = along(packet.axes.k), .u = along(packet.axes.u()), .v = along(packet.axes.v())};
     }
 };
 
-HWY_INLINE void gather(const GridScene& scene, const Packet& packet, const std::uint32_t* triangles,
-                       std::size_t count, CornerTable& corners) {
-    const int axes[3] = {packet.axes.k, packet.axes.u(), packet.axes.v()};
+/// Copies the corners of up to 16 triangles; the last triangle fills what is left.
+HWY_INLINE void gather(const rebuild::TriangleView& view, const std::uint32_t* triangles, std::size_t count,
+                       CornerTable& corners) {
+    const hn::FixedTag<float, 4> four;
+    const auto last_vertex = static_cast<std::uint32_t>(view.positions.size() - 1);
     for (std::size_t i = 0; i < group; ++i) {
-        const glm::uvec3& indices = scene.triangles.triangles[triangles[std::min(i, count - 1)]];
-        for (int corner = 0; corner < 3; ++corner) {
-            const glm::vec3& p = scene.triangles.positions[indices[corner]];
-            for (int axis = 0; axis < 3; ++axis) {
-                corners.axis[corner][axis][i] = p[axes[axis]] - packet.origin[axes[axis]];
+        const glm::uvec3& indices = view.triangles[triangles[std::min(i, count - 1)]];
+        for (int which = 0; which < 3; ++which) {
+            const std::uint32_t vertex = indices[which];
+            const float* from = &view.positions[vertex].x;
+            float* to = corners.corner[which][i];
+            if (HWY_LIKELY(vertex != last_vertex)) {
+                hn::Store(hn::LoadU(four, from), four, to);
+            } else {
+                std::copy_n(from, 3, to);  // nothing may be read behind the last vertex
+                to[3] = 0.0f;
             }
         }
     }
@@ -111,17 +110,19 @@ HWY_INLINE hn::Mask<LaneTag> may_be_inside(LaneTag d, const EdgeFunctions<Lanes>
 }
 
 /// Edge functions of 16 triangles into `table`. @return a bit for each that the frustum does not cull
-HWY_INLINE unsigned cull_by_frustum(const CornerTable& corners, float sign, const Frustum& frustum,
+HWY_INLINE unsigned cull_by_frustum(const CornerTable& corners, const Packet& packet, const Frustum& frustum,
                                     EdgeTable& table) {
     const LaneTag d;
+    const Axes axes = packet.axes;
     unsigned survivors = 0;
     for (std::size_t first = 0; first < group; first += hn::Lanes(d)) {
         const auto corner = [&](int which) {
-            return Vec3<Lanes>{hn::Load(d, corners.axis[which][0] + first),
-                               hn::Load(d, corners.axis[which][1] + first),
-                               hn::Load(d, corners.axis[which][2] + first)};
+            Lanes axis[3], unused;
+            hn::LoadInterleaved4(d, corners.corner[which][first], axis[0], axis[1], axis[2], unused);
+            const auto along = [&](int i) { return hn::Sub(axis[i], hn::Set(d, packet.origin[i])); };
+            return Vec3<Lanes>{along(axes.k), along(axes.u()), along(axes.v())};
         };
-        const auto edges = edge_functions(d, corner(0), corner(1), corner(2), hn::Set(d, sign));
+        const auto edges = edge_functions(d, corner(0), corner(1), corner(2), hn::Set(d, axes.sign()));
         const auto inside = may_be_inside(d, edges, hn::Set(d, frustum.centre_u), hn::Set(d, frustum.half_u),
                                           hn::Set(d, frustum.centre_v), hn::Set(d, frustum.half_v));
         const auto in_reach = hn::And(hn::Le(edges.depth_min, hn::Set(d, frustum.far_depth)),
@@ -177,10 +178,10 @@ HWY_INLINE unsigned blocks_that_may_hit(const Packet& packet, const EdgeFunction
 
 /// One triangle against the rays of one block. Equal depths go to the lower index, whatever the order of
 /// tests.
-/// @param corner  the triangle's corners, for what the edge functions leave in doubt
+/// @param corners  the triangle's, for what the edge functions leave in doubt
 template <Wanted wanted>
-HWY_INLINE void intersect_block(Packet& packet, const EdgeFunctions<Lanes>& edges,
-                                const FramedPoint (&corner)[3], std::uint32_t triangle, int block) {
+HWY_INLINE void intersect_block(Packet& packet, const EdgeFunctions<Lanes>& edges, const CornerTable& corners,
+                                int lane_of_triangle, std::uint32_t triangle, int block) {
     const LaneTag d;
     const hn::RebindToUnsigned<LaneTag> du;
     const auto index = hn::Set(du, triangle);
@@ -189,11 +190,13 @@ HWY_INLINE void intersect_block(Packet& packet, const EdgeFunctions<Lanes>& edge
     for (std::size_t first = begin; first < begin + rays_per_block; first += hn::Lanes(d)) {
         const float* slope_u = packet.slope_u + first;
         const float* slope_v = packet.slope_v + first;
-        const auto met = meet(d, edges, hn::Load(d, slope_u), hn::Load(d, slope_v), [&](std::size_t lane) {
-            return meet_in_double(corner[0], corner[1], corner[2], packet.axes.sign(), slope_u[lane],
-                                  slope_v[lane]);
-        });
         const Lanes best = hn::Load(d, packet.depth + first);
+        const auto decide = [&](std::size_t lane) {
+            const auto corner = [&](int which) { return corners.point(packet, which, lane_of_triangle); };
+            return meet_in_double(corner(0), corner(1), corner(2), packet.axes.sign(), slope_u[lane],
+                                  slope_v[lane]);
+        };
+        const auto met = meet(d, edges, hn::Load(d, slope_u), hn::Load(d, slope_v), best, decide);
         const auto held = hn::Load(du, packet.triangle + first);
         const auto wins_tie = hn::And(hn::Eq(met.depth, best), hn::RebindMask(d, hn::Lt(index, held)));
         const Lanes depth_min = hn::Load(d, packet.depth_min + first);
@@ -220,23 +223,29 @@ HWY_INLINE void intersect_block(Packet& packet, const EdgeFunctions<Lanes>& edge
 template <Wanted wanted>
 void intersect(const GridScene& scene, Packet& packet, unsigned& active, const Frustum& frustum,
                Candidates& candidates, TraceReport& report) {
-    CornerTable corners;
-    EdgeTable table;
+    // While one group is worked on, the corners of the next are on their way.
+    CornerTable tables[2];
+    EdgeTable edge_table;
+    const auto triangles_of = [&](std::size_t begin) { return candidates.data() + begin; };
+    const auto gather_at = [&](std::size_t begin) {
+        gather(scene.triangles, triangles_of(begin), std::min(group, candidates.size() - begin),
+               tables[begin / group % 2]);
+    };
+    if (candidates.size() > 0) gather_at(0);
     for (std::size_t begin = 0; begin < candidates.size() && active != 0; begin += group) {
-        const std::uint32_t* triangles = candidates.data() + begin;
+        if (begin + group < candidates.size()) gather_at(begin + group);
+        const CornerTable& corners = tables[begin / group % 2];
+        unsigned survivors = cull_by_frustum(corners, packet, frustum, edge_table);
         const std::size_t count = std::min(group, candidates.size() - begin);
-        gather(scene, packet, triangles, count, corners);
-        unsigned survivors = cull_by_frustum(corners, packet.axes.sign(), frustum, table);
         survivors &= (1u << count) - 1u;
         for (; survivors != 0; survivors &= survivors - 1) {
             const int i = std::countr_zero(survivors);
-            const auto edges = broadcast(table, i);
-            const FramedPoint corner[3] = {corners.point(0, i), corners.point(1, i), corners.point(2, i)};
+            const auto edges = broadcast(edge_table, i);
             unsigned blocks = blocks_that_may_hit(packet, edges) & active;
             report.triangle_tests += static_cast<std::uint64_t>(std::popcount(blocks)) * rays_per_block;
             for (; blocks != 0; blocks &= blocks - 1) {
                 const int block = std::countr_zero(blocks);
-                intersect_block<wanted>(packet, edges, corner, triangles[i], block);
+                intersect_block<wanted>(packet, edges, corners, i, triangles_of(begin)[i], block);
                 if (packet.far_depth[block] < 0.0f) active &= ~(1u << block);
             }
         }

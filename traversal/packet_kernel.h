@@ -1,55 +1,39 @@
 #pragma once
-// Coherent grid traversal of one packet.
+// Coherent grid traversal: a batch with a common origin, packet by packet.
 
 #include "traversal/grid_scene.h"
 #include "traversal/packet.h"
+#include "traversal/resumed_rays.h"
 #include "traversal/tracer.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace gridreel::traversal {
 
-/// Triangles of a march that wait to be intersected, and which have waited before.
-class Candidates {
-public:
-    static constexpr std::size_t capacity = 1024;
+/// A batch with a common origin, cut into packets of `rays_per_packet` in some order.
+struct PacketSource {
+    const RayBatch& rays;
+    const ResumedRays& resumed;            ///< begun with `rays`
+    std::span<const std::uint32_t> order;  ///< positions in the batch; empty: the batch's own order
 
-    void clear() {
-        count_ = 0;
-        forget();
+    [[nodiscard]] std::uint32_t ray_at(std::size_t i) const {
+        return order.empty() ? static_cast<std::uint32_t>(i) : order[i];
     }
-
-    /// Lets every triangle be a candidate again.
-    void forget() { met_.fill(no_triangle); }
-
-    /// Adds a triangle unless the march met it lately. Forgetful: a triangle may be added again.
-    void add(std::uint32_t triangle) {
-        std::uint32_t& entry = met_[triangle % met_.size()];
-        if (entry == triangle) return;
-        entry = triangle;
-        triangles_[count_++] = triangle;
+    [[nodiscard]] std::size_t packet_count() const {
+        return (rays.size() + rays_per_packet - 1) / rays_per_packet;
     }
-
-    [[nodiscard]] bool full() const { return count_ == capacity; }
-    [[nodiscard]] std::size_t size() const { return count_; }
-    [[nodiscard]] const std::uint32_t* data() const { return triangles_.data(); }
-    void drop_all() { count_ = 0; }
-
-private:
-    std::size_t count_ = 0;
-    std::array<std::uint32_t, 1024> met_{};
-    std::array<std::uint32_t, capacity> triangles_{};
 };
 
-/// Finds the closest hit of every ray of the packet (Wald et al. 2006, section 3): walks the grid slice by
-/// slice along K, collects the triangles of the cells that the packet's frustum overlaps, and culls them
-/// against the frustum and against each block before any ray is tested.
-/// Only `rays` of the report stays zero.
-TraceReport march_closest(const GridScene& scene, Packet& packet, Candidates& candidates);
+/// Finds the closest hit of every ray of packets [begin, end) (Wald et al. 2006, section 3): walks the grid
+/// slice by slice along K, collects the triangles of the cells that the packet's frustum overlaps, and culls
+/// them against the frustum and against each block before any ray is tested.
+TraceReport closest_in_packets(const GridScene& scene, const PacketSource& source, std::size_t begin,
+                               std::size_t end, HitBatch& hits);
 
-/// The same until every ray is blocked by something: such rays get depth -1.
-TraceReport march_any(const GridScene& scene, Packet& packet, Candidates& candidates);
+/// The same until every ray is blocked by something.
+TraceReport any_in_packets(const GridScene& scene, const PacketSource& source, std::size_t begin,
+                           std::size_t end, OcclusionBatch& occluded);
 
 }  // namespace gridreel::traversal

@@ -121,6 +121,7 @@ struct Meeting {
     V depth;             ///< along K; meaningless where not inside
 };
 
+/// @param best    hits behind it do not count: whether they are hits may be left undecided
 /// @param decide  `std::optional<float> decide(lane)`: the exact answer for one lane, asked only where an
 /// edge
 ///                function is too near to zero to tell
@@ -128,7 +129,8 @@ struct Meeting {
 /// The division is rounded, and for a triangle seen almost edge-on it is far off: the depth is held between
 /// the corners', so that a hit always lies in the cells that hold its triangle.
 template <class D, class Decide, class V = hn::Vec<D>>
-HWY_INLINE Meeting<D> meet(D d, const EdgeFunctions<V>& edges, V slope_u, V slope_v, const Decide& decide) {
+HWY_INLINE Meeting<D> meet(D d, const EdgeFunctions<V>& edges, V slope_u, V slope_v, V best,
+                           const Decide& decide) {
     const auto along_ray = [&](const Vec3<V>& n) {
         return hn::MulAdd(slope_v, n.v, hn::MulAdd(slope_u, n.u, n.k));
     };
@@ -138,7 +140,12 @@ HWY_INLINE Meeting<D> meet(D d, const EdgeFunctions<V>& edges, V slope_u, V slop
     // The edge functions add up to the same divisor, but each errs by its distance over its length more.
     V depth = hn::Div(edges.volume, along_ray(edges.plane));
 
-    const auto doubtful = hn::AndNot(inside, hn::Ge(least, hn::Neg(edges.error)));
+    // Where the depth is precise and behind `best`, the doubt does not matter.
+    const auto precise = hn::Lt(edges.sure, hn::Inf(d));
+    const auto behind =
+        hn::And(precise, hn::Gt(hn::Mul(depth, hn::Set(d, 1.0f - 2.0f * float(depth_error))), best));
+    const auto matters = hn::AndNot(behind, hn::Le(edges.depth_min, best));
+    const auto doubtful = hn::And(hn::AndNot(inside, hn::Ge(least, hn::Neg(edges.error))), matters);
     if (HWY_UNLIKELY(!hn::AllFalse(d, doubtful))) {
         HWY_ALIGN float depths[HWY_MAX_BYTES / sizeof(float)];
         HWY_ALIGN float is_inside[HWY_MAX_BYTES / sizeof(float)];

@@ -1,0 +1,44 @@
+#pragma once
+// Triangles of a march that wait to be intersected.
+
+#include "traversal/ray_batch.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace gridreel::traversal {
+
+/// Triangles that wait, and which have waited before: a small direct-mapped mailbox.
+class Candidates {
+public:
+    static constexpr std::size_t capacity = 1024;
+
+    void clear() {
+        count_ = 0;
+        forget();
+    }
+
+    /// Lets every triangle be a candidate again.
+    void forget() { met_.fill(no_triangle); }
+
+    /// Adds a triangle unless the march met it lately. Forgetful: a triangle may be added again.
+    void add(std::uint32_t triangle) {
+        std::uint32_t& entry = met_[triangle % met_.size()];
+        if (entry == triangle) return;
+        entry = triangle;
+        triangles_[count_++] = triangle;
+    }
+
+    [[nodiscard]] bool full() const { return count_ == capacity; }
+    [[nodiscard]] std::size_t size() const { return count_; }
+    [[nodiscard]] const std::uint32_t* data() const { return triangles_.data(); }
+    void drop_all() { count_ = 0; }
+
+private:
+    std::size_t count_ = 0;
+    std::array<std::uint32_t, 1024> met_;
+    std::array<std::uint32_t, capacity> triangles_;
+};
+
+}  // namespace gridreel::traversal

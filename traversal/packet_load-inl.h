@@ -1,0 +1,196 @@
+// From a batch to packets and back. Included once per SIMD target.
+
+#if defined(GRIDREEL_TRAVERSAL_PACKET_LOAD_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRIDREEL_TRAVERSAL_PACKET_LOAD_INL_H_
+#undef GRIDREEL_TRAVERSAL_PACKET_LOAD_INL_H_
+#else
+#define GRIDREEL_TRAVERSAL_PACKET_LOAD_INL_H_
+#endif
+
+#include "traversal/lanes-inl.h"
+#include "traversal/packet.h"
+#include "traversal/packet_kernel.h"
+#include "traversal/rounding.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace gridreel::traversal {
+namespace HWY_NAMESPACE {
+
+/// Least and greatest slope of each block, its depths, and what follows from them.
+HWY_INLINE void bound_blocks(Packet& packet) {
+    const LaneTag d;
+    const auto reduced = [&](const float* of_block, const auto& combine, const auto& across) {
+        Lanes all = hn::Load(d, of_block);
+        for (std::size_t first = hn::Lanes(d); first < rays_per_block; first += hn::Lanes(d)) {
+            all = combine(all, hn::Load(d, of_block + first));
+        }
+        return hn::GetLane(across(all));
+    };
+    const auto least = [&](const float* of_block) {
+        return reduced(
+            of_block, [](Lanes a, Lanes b) { return hn::Min(a, b); },
+            [&](Lanes a) { return hn::MinOfLanes(d, a); });
+    };
+    const auto greatest = [&](const float* of_block) {
+        return reduced(
+            of_block, [](Lanes a, Lanes b) { return hn::Max(a, b); },
+            [&](Lanes a) { return hn::MaxOfLanes(d, a); });
+    };
+    for (std::size_t block = 0; block < blocks_per_packet; ++block) {
+        if (block >= packet.block_count()) {
+            packet.centre_u[block] = packet.centre_v[block] = packet.half_u[block] = packet.half_v[block] =
+                0.0f;
+            packet.near_depth[block] = 0.0f;
+            packet.far_depth[block] = -1.0f;
+            continue;
+        }
+        const std::size_t first = block * rays_per_block;
+        const auto bound = [&](const float* slopes, float& centre, float& half) {
+            const float low = least(slopes), high = greatest(slopes);
+            centre = 0.5f * (low + high);
+            half = std::max(high - centre, centre - low) + rounding_margin;
+        };
+        bound(packet.slope_u + first, packet.centre_u[block], packet.half_u[block]);
+        bound(packet.slope_v + first, packet.centre_v[block], packet.half_v[block]);
+        // A hit just behind depth_min may be rounded beyond it from a slice before.
+        packet.near_depth[block] = least(packet.depth_min + first) * (1.0f - static_cast<float>(depth_error));
+        packet.far_depth[block] = greatest(packet.depth + first);
+    }
+}
+
+/// Fills the packet with rays [begin, begin + count) of the order, if they all have one frame and can hit
+/// something. @return whether they have
+HWY_INLINE bool load_uniform(const PacketSource& source, std::size_t begin, std::size_t count,
+                             Packet& packet) {
+    assert(count >= 1 && count <= rays_per_packet);
+    const LaneTag d;
+    const hn::RebindToUnsigned<LaneTag> du;
+    const hn::RebindToSigned<LaneTag> di;
+    const RayBatch& rays = source.rays;
+    const RayFrame first = ray_frame(rays, source.ray_at(begin));
+    if (first.hits_nothing()) return false;
+    packet.axes = first.axes;
+    const int k = first.axes.k;
+
+    const std::size_t lanes = (count + rays_per_block - 1) / rays_per_block * rays_per_block;
+    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
+        // Where these rays stand in the batch; lanes behind the last ray repeat it.
+        const auto within = hn::Add(hn::Iota(du, 0), hn::Set(du, static_cast<std::uint32_t>(lane)));
+        auto place = hn::Add(hn::Min(within, hn::Set(du, static_cast<std::uint32_t>(count - 1))),
+                             hn::Set(du, static_cast<std::uint32_t>(begin)));
+        if (!source.order.empty()) place = hn::GatherIndex(du, source.order.data(), hn::BitCast(di, place));
+        const bool side_by_side = source.order.empty() && lane + hn::Lanes(d) <= count;
+        const auto read = [&](const rebuild::Buffer<float>& values) {
+            return side_by_side ? hn::LoadU(d, values.data() + begin + lane)
+                                : hn::GatherIndex(d, values.data(), hn::BitCast(di, place));
+        };
+
+        // The frame, as `ray_frame` finds it.
+        const Lanes axis[3] = {read(rays.direction[0]), read(rays.direction[1]), read(rays.direction[2])};
+        const Lanes x = hn::Abs(axis[0]), y = hn::Abs(axis[1]), z = hn::Abs(axis[2]);
+        const Lanes t_min = read(rays.t_min), t_max = read(rays.t_max);
+        const auto x_most = hn::And(hn::Ge(x, y), hn::Ge(x, z));
+        const auto y_above_z = hn::Ge(y, z);
+        const auto along_k = k == 0   ? x_most
+                             : k == 1 ? hn::AndNot(x_most, y_above_z)
+                                      : hn::Not(hn::Or(x_most, y_above_z));
+        const Lanes depth_per_t = hn::Mul(axis[k], hn::Set(d, first.axes.sign()));  // negative the other way
+        const auto finite = hn::Lt(hn::Add(hn::Add(x, y), z), hn::Inf(d));
+        const auto alive = hn::And(hn::And(finite, hn::Gt(depth_per_t, hn::Zero(d))), hn::Lt(t_min, t_max));
+        const Lanes depth_min = hn::Mul(hn::Max(t_min, hn::Zero(d)), depth_per_t);
+        const Lanes depth_max = hn::Mul(t_max, depth_per_t);
+        const auto fits = hn::And(hn::And(along_k, alive), hn::Lt(depth_min, depth_max));
+        if (!hn::AllTrue(d, fits)) return false;
+
+        hn::Store(hn::Div(axis[first.axes.u()], depth_per_t), d, packet.slope_u + lane);
+        hn::Store(hn::Div(axis[first.axes.v()], depth_per_t), d, packet.slope_v + lane);
+        hn::Store(depth_per_t, d, packet.depth_per_t + lane);
+        hn::Store(depth_min, d, packet.depth_min + lane);
+        hn::Store(depth_max, d, packet.depth_max + lane);
+        const auto real = hn::RebindMask(d, hn::Lt(within, hn::Set(du, static_cast<std::uint32_t>(count))));
+        hn::Store(hn::IfThenElse(real, depth_max, hn::Set(d, -1.0f)), d, packet.depth + lane);
+        hn::Store(hn::Set(du, no_hit_yet), du, packet.triangle + lane);
+        hn::Store(hn::Set(du, no_triangle), du, packet.after + lane);
+        hn::Store(place, du, packet.ray + lane);
+    }
+    packet.origin = *rays.common_origin;
+    packet.ray_count = static_cast<std::uint32_t>(count);
+    if (!rays.after_triangle.empty()) {
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const RayFrame frame = source.resumed.frame(rays, packet.ray[lane]);
+            packet.depth_min[lane] = frame.depth_min;
+            packet.after[lane] = frame.after;
+        }
+    }
+    bound_blocks(packet);
+    return true;
+}
+
+/// Fills the packet with rays that all have the frame `axes`, one by one.
+/// @param rays  1 to 256 positions in the batch, none of which hits nothing
+HWY_INLINE void load_chosen(const PacketSource& source, Axes axes, std::span<const std::uint32_t> rays,
+                            Packet& packet) {
+    assert(!rays.empty() && rays.size() <= rays_per_packet);
+    packet.origin = *source.rays.common_origin;
+    packet.axes = axes;
+    packet.ray_count = static_cast<std::uint32_t>(rays.size());
+    for (std::size_t lane = 0; lane < packet.block_count() * rays_per_block; ++lane) {
+        const bool real = lane < rays.size();
+        const std::uint32_t ray = real ? rays[lane] : rays.back();
+        const RayFrame frame = source.resumed.frame(source.rays, ray);
+        packet.slope_u[lane] = frame.slope_u;
+        packet.slope_v[lane] = frame.slope_v;
+        packet.depth_per_t[lane] = frame.depth_per_t;
+        packet.depth_min[lane] = frame.depth_min;
+        packet.depth_max[lane] = frame.depth_max;
+        packet.after[lane] = frame.after;
+        packet.depth[lane] = real ? frame.depth_max : -1.0f;
+        packet.triangle[lane] = no_hit_yet;
+        packet.ray[lane] = ray;
+    }
+    bound_blocks(packet);
+}
+
+/// Writes the packet's hits into the batch.
+HWY_INLINE void store_hits(const Packet& packet, HitBatch& hits) {
+    const LaneTag d;
+    const hn::RebindToUnsigned<LaneTag> du;
+    HWY_ALIGN float t[rays_per_block];
+    HWY_ALIGN std::uint32_t triangle[rays_per_block];
+    for (std::size_t block = 0; block < packet.ray_count; block += rays_per_block) {
+        for (std::size_t first = 0; first < rays_per_block; first += hn::Lanes(d)) {
+            const std::size_t lane = block + first;
+            const Lanes depth = hn::Load(d, packet.depth + lane);
+            const auto hit = hn::Lt(depth, hn::Load(d, packet.depth_max + lane));
+            hn::Store(hn::IfThenElse(hit, hn::Div(depth, hn::Load(d, packet.depth_per_t + lane)), hn::Inf(d)),
+                      d, t + first);
+            hn::Store(hn::IfThenElse(hn::RebindMask(du, hit), hn::Load(du, packet.triangle + lane),
+                                     hn::Set(du, no_triangle)),
+                      du, triangle + first);
+        }
+        const std::size_t count = std::min(rays_per_block, packet.ray_count - block);
+        for (std::size_t i = 0; i < count; ++i) {
+            hits.t[packet.ray[block + i]] = t[i];
+            hits.triangle[packet.ray[block + i]] = triangle[i];
+        }
+    }
+}
+
+/// Writes which of the packet's rays are blocked into the batch.
+HWY_INLINE void store_occlusion(const Packet& packet, OcclusionBatch& occluded) {
+    for (std::size_t lane = 0; lane < packet.ray_count; ++lane) {
+        occluded[packet.ray[lane]] = packet.depth[lane] < 0.0f;
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gridreel::traversal
+HWY_AFTER_NAMESPACE();
+
+#endif  // toggled include guard
