@@ -40,7 +40,7 @@ TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
     resumed_.begin(rays, triangles_);
     const GridScene scene{builder_.grid(), triangles_};
     if (in_packets(rays)) {
-        const PacketSource source{rays, resumed_, order_of(rays)};
+        const PacketSource source(rays, resumed_, sorted(rays));
         return trace_in_parallel(source.packet_count(), packets_per_task,
                                  [&](std::size_t begin, std::size_t end) {
                                      return closest_in_packets(scene, source, begin, end, hits);
@@ -56,7 +56,7 @@ TraceReport GridTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded)
     resumed_.begin(rays, triangles_);
     const GridScene scene{builder_.grid(), triangles_};
     if (in_packets(rays)) {
-        const PacketSource source{rays, resumed_, order_of(rays)};
+        const PacketSource source(rays, resumed_, sorted(rays));
         return trace_in_parallel(source.packet_count(), packets_per_task,
                                  [&](std::size_t begin, std::size_t end) {
                                      return any_in_packets(scene, source, begin, end, occluded);
@@ -71,11 +71,8 @@ bool GridTracer::in_packets(const RayBatch& rays) const {
     return traversal_ == Traversal::coherent && rays.common_origin.has_value();
 }
 
-/// Empty: the batch's own order.
-std::span<const std::uint32_t> GridTracer::order_of(const RayBatch& rays) {
-    if (rays.order == RayOrder::coherent) return {};
-    ray_sort_.sort(rays, order_);
-    return order_.span();
+const SortedRays* GridTracer::sorted(const RayBatch& rays) {
+    return rays.order == RayOrder::coherent ? nullptr : &ray_sort_.sort(rays);
 }
 
 }  // namespace gridreel::traversal

@@ -22,14 +22,14 @@ public:
 
 private:
     [[nodiscard]] bool in_packets(const RayBatch& rays) const;
-    [[nodiscard]] std::span<const std::uint32_t> order_of(const RayBatch& rays);
+    /// nullptr where the batch's own order will do.
+    [[nodiscard]] const SortedRays* sorted(const RayBatch& rays);
 
     Traversal traversal_;
     rebuild::GridBuilder builder_;
     rebuild::TriangleView triangles_;
     ResumedRays resumed_;
     RaySort ray_sort_;
-    rebuild::Buffer<std::uint32_t> order_;
 };
 
 }  // namespace gridreel::traversal

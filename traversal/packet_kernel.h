@@ -3,27 +3,37 @@
 
 #include "traversal/grid_scene.h"
 #include "traversal/packet.h"
+#include "traversal/ray_sort.h"
 #include "traversal/resumed_rays.h"
 #include "traversal/tracer.h"
 
+#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <span>
 
 namespace gridreel::traversal {
 
-/// A batch with a common origin, cut into packets of `rays_per_packet` in some order.
-struct PacketSource {
-    const RayBatch& rays;
-    const ResumedRays& resumed;            ///< begun with `rays`
-    std::span<const std::uint32_t> order;  ///< positions in the batch; empty: the batch's own order
+/// A batch with a common origin, cut into packets of up to `rays_per_packet`.
+class PacketSource {
+public:
+    /// @param resumed  begun with `rays`
+    /// @param sorted   of `rays`; nullptr: packets are cut in the batch's own order
+    PacketSource(const RayBatch& rays, const ResumedRays& resumed, const SortedRays* sorted);
 
-    [[nodiscard]] std::uint32_t ray_at(std::size_t i) const {
-        return order.empty() ? static_cast<std::uint32_t>(i) : order[i];
-    }
-    [[nodiscard]] std::size_t packet_count() const {
-        return (rays.size() + rays_per_packet - 1) / rays_per_packet;
-    }
+    [[nodiscard]] std::size_t packet_count() const { return packet_begin_.back(); }
+
+    const RayBatch& rays;
+    const ResumedRays& resumed;
+    const SortedRays* sorted;
+
+    /// The rays of one packet: places in the order. Of sorted rays they all have the frame `axes`.
+    struct Cut {
+        std::size_t begin, end;
+        Axes axes;
+    };
+    [[nodiscard]] Cut cut(std::size_t packet) const;
+
+private:
+    std::array<std::size_t, face_count + 2> packet_begin_{};  ///< of each face, and of the dead
 };
 
 /// Finds the closest hit of every ray of packets [begin, end) (Wald et al. 2006, section 3): walks the grid

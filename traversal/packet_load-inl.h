@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -64,7 +65,59 @@ HWY_INLINE void bound_blocks(Packet& packet) {
     }
 }
 
-/// Fills the packet with rays [begin, begin + count) of the order, if they all have one frame and can hit
+/// Begins resumed rays where they go on.
+HWY_INLINE void resume(const PacketSource& source, Packet& packet) {
+    if (source.rays.after_triangle.empty()) return;
+    for (std::size_t lane = 0; lane < packet.block_count() * rays_per_block; ++lane) {
+        const RayFrame frame = source.resumed.frame(source.rays, packet.ray[lane]);
+        packet.depth_min[lane] = frame.depth_min;
+        packet.after[lane] = frame.after;
+    }
+}
+
+/// Fills the packet with rays of one face. Only closest hits need `depth_per_t`.
+template <Wanted wanted>
+HWY_INLINE void load_sorted(const PacketSource& source, const PacketSource::Cut& cut, Packet& packet) {
+    const LaneTag d;
+    const hn::FixedTag<float, 4> four;
+    const hn::RebindToUnsigned<LaneTag> du;
+    const auto count = static_cast<std::uint32_t>(cut.end - cut.begin);
+    packet.origin = *source.rays.common_origin;
+    packet.axes = cut.axes;
+    packet.ray_count = count;
+    const std::uint32_t* order = source.sorted->order.data() + cut.begin;
+    const FramedRay* framed = source.sorted->framed.data();
+    const float* along = source.rays.direction[std::size_t(cut.axes.k)].data();
+
+    HWY_ALIGN float staged[group][4];
+    for (std::size_t block = 0; block < packet.block_count(); ++block) {
+        const std::size_t begin = block * rays_per_block;
+        for (std::size_t i = 0; i < rays_per_block; ++i) {
+            const std::uint32_t ray = order[std::min<std::size_t>(begin + i, count - 1)];
+            packet.ray[begin + i] = ray;
+            if (wanted == Wanted::closest) packet.depth_per_t[begin + i] = std::fabs(along[ray]);
+            hn::Store(hn::Load(four, &framed[ray].slope_u), four, staged[i]);
+        }
+        for (std::size_t first = 0; first < rays_per_block; first += hn::Lanes(d)) {
+            const std::size_t lane = begin + first;
+            Lanes slope_u, slope_v, depth_min, depth_max;
+            hn::LoadInterleaved4(d, staged[first], slope_u, slope_v, depth_min, depth_max);
+            hn::Store(slope_u, d, packet.slope_u + lane);
+            hn::Store(slope_v, d, packet.slope_v + lane);
+            hn::Store(depth_min, d, packet.depth_min + lane);
+            hn::Store(depth_max, d, packet.depth_max + lane);
+            const auto within = hn::Add(hn::Iota(du, 0), hn::Set(du, static_cast<std::uint32_t>(lane)));
+            const auto real = hn::RebindMask(d, hn::Lt(within, hn::Set(du, count)));
+            hn::Store(hn::IfThenElse(real, depth_max, hn::Set(d, -1.0f)), d, packet.depth + lane);
+            hn::Store(hn::Set(du, no_hit_yet), du, packet.triangle + lane);
+            hn::Store(hn::Set(du, no_triangle), du, packet.after + lane);
+        }
+    }
+    resume(source, packet);
+    bound_blocks(packet);
+}
+
+/// Fills the packet with rays [begin, begin + count) of the batch, if they all have one frame and can hit
 /// something. @return whether they have
 HWY_INLINE bool load_uniform(const PacketSource& source, std::size_t begin, std::size_t count,
                              Packet& packet) {
@@ -73,7 +126,7 @@ HWY_INLINE bool load_uniform(const PacketSource& source, std::size_t begin, std:
     const hn::RebindToUnsigned<LaneTag> du;
     const hn::RebindToSigned<LaneTag> di;
     const RayBatch& rays = source.rays;
-    const RayFrame first = ray_frame(rays, source.ray_at(begin));
+    const RayFrame first = ray_frame(rays, begin);
     if (first.hits_nothing()) return false;
     packet.axes = first.axes;
     const int k = first.axes.k;
@@ -82,10 +135,9 @@ HWY_INLINE bool load_uniform(const PacketSource& source, std::size_t begin, std:
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
         // Where these rays stand in the batch; lanes behind the last ray repeat it.
         const auto within = hn::Add(hn::Iota(du, 0), hn::Set(du, static_cast<std::uint32_t>(lane)));
-        auto place = hn::Add(hn::Min(within, hn::Set(du, static_cast<std::uint32_t>(count - 1))),
-                             hn::Set(du, static_cast<std::uint32_t>(begin)));
-        if (!source.order.empty()) place = hn::GatherIndex(du, source.order.data(), hn::BitCast(di, place));
-        const bool side_by_side = source.order.empty() && lane + hn::Lanes(d) <= count;
+        const auto place = hn::Add(hn::Min(within, hn::Set(du, static_cast<std::uint32_t>(count - 1))),
+                                   hn::Set(du, static_cast<std::uint32_t>(begin)));
+        const bool side_by_side = lane + hn::Lanes(d) <= count;
         const auto read = [&](const rebuild::Buffer<float>& values) {
             return side_by_side ? hn::LoadU(d, values.data() + begin + lane)
                                 : hn::GatherIndex(d, values.data(), hn::BitCast(di, place));
@@ -121,13 +173,7 @@ HWY_INLINE bool load_uniform(const PacketSource& source, std::size_t begin, std:
     }
     packet.origin = *rays.common_origin;
     packet.ray_count = static_cast<std::uint32_t>(count);
-    if (!rays.after_triangle.empty()) {
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const RayFrame frame = source.resumed.frame(rays, packet.ray[lane]);
-            packet.depth_min[lane] = frame.depth_min;
-            packet.after[lane] = frame.after;
-        }
-    }
+    resume(source, packet);
     bound_blocks(packet);
     return true;
 }

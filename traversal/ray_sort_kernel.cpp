@@ -1,0 +1,175 @@
+#include "traversal/ray_sort_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "traversal/ray_sort_kernel.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include "traversal/lanes-inl.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace gridreel::traversal {
+namespace HWY_NAMESPACE {
+
+using UintTag = hn::RebindToUnsigned<LaneTag>;
+
+/// Bounds of one face, a lane for every lane of rays.
+struct LaneBounds {
+    HWY_ALIGN float low_u[group], high_u[group], low_v[group], high_v[group];
+
+    LaneBounds() {
+        std::fill_n(low_u, group, 2.0f);
+        std::fill_n(low_v, group, 2.0f);
+        std::fill_n(high_u, group, -2.0f);
+        std::fill_n(high_v, group, -2.0f);
+    }
+
+    HWY_INLINE void extend(hn::Mask<LaneTag> which, Lanes u, Lanes v) {
+        const LaneTag d;
+        const Lanes none = hn::Set(d, 2.0f);
+        hn::Store(hn::Min(hn::Load(d, low_u), hn::IfThenElse(which, u, none)), d, low_u);
+        hn::Store(hn::Min(hn::Load(d, low_v), hn::IfThenElse(which, v, none)), d, low_v);
+        hn::Store(hn::Max(hn::Load(d, high_u), hn::IfThenElse(which, u, hn::Neg(none))), d, high_u);
+        hn::Store(hn::Max(hn::Load(d, high_v), hn::IfThenElse(which, v, hn::Neg(none))), d, high_v);
+    }
+
+    [[nodiscard]] SlopeBounds across() const {
+        return {.low_u = *std::min_element(low_u, low_u + group),
+                .high_u = *std::max_element(high_u, high_u + group),
+                .low_v = *std::min_element(low_v, low_v + group),
+                .high_v = *std::max_element(high_v, high_v + group)};
+    }
+};
+
+FaceBounds frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, FramedRay* framed,
+                      std::uint32_t* faces) {
+    const LaneTag d;
+    const UintTag du;
+    std::array<LaneBounds, face_count> bounds;
+    const Lanes zero = hn::Zero(d);
+    std::size_t i = begin;
+    for (; i + hn::Lanes(d) <= end; i += hn::Lanes(d)) {
+        const Lanes x = hn::LoadU(d, rays.direction[0].data() + i);
+        const Lanes y = hn::LoadU(d, rays.direction[1].data() + i);
+        const Lanes z = hn::LoadU(d, rays.direction[2].data() + i);
+        const Lanes t_min = hn::LoadU(d, rays.t_min.data() + i);
+        const Lanes t_max = hn::LoadU(d, rays.t_max.data() + i);
+        const Lanes ax = hn::Abs(x), ay = hn::Abs(y), az = hn::Abs(z);
+        const auto k_is_x = hn::And(hn::Ge(ax, ay), hn::Ge(ax, az));
+        const auto k_is_y = hn::AndNot(k_is_x, hn::Ge(ay, az));
+        const auto of_axes = [&](Lanes for_x, Lanes for_y, Lanes for_z) {
+            return hn::IfThenElse(k_is_x, for_x, hn::IfThenElse(k_is_y, for_y, for_z));
+        };
+        const Lanes along = of_axes(x, y, z);
+        const Lanes depth_per_t = hn::Abs(along);
+        const Lanes u = hn::Div(of_axes(y, z, x), depth_per_t);
+        const Lanes v = hn::Div(of_axes(z, x, y), depth_per_t);
+        const Lanes depth_min = hn::Mul(hn::Max(t_min, zero), depth_per_t);
+        const Lanes depth_max = hn::Mul(t_max, depth_per_t);
+        hn::StoreInterleaved4(u, v, depth_min, depth_max, d, &framed[i].slope_u);
+
+        const auto finite = hn::Lt(hn::Add(hn::Add(ax, ay), az), hn::Inf(d));
+        const auto alive = hn::And(hn::And(finite, hn::Gt(depth_per_t, zero)),
+                                   hn::And(hn::Lt(t_min, t_max), hn::Lt(depth_min, depth_max)));
+        const Lanes face_below = of_axes(zero, hn::Set(d, 2.0f), hn::Set(d, 4.0f));
+        const Lanes face = hn::IfThenElse(
+            alive, hn::Add(face_below, hn::IfThenElseZero(hn::Lt(along, zero), hn::Set(d, 1.0f))),
+            hn::Set(d, static_cast<float>(face_count)));
+        hn::StoreU(hn::BitCast(du, hn::ConvertTo(hn::RebindToSigned<LaneTag>(), face)), du, faces + i);
+        const std::uint32_t first = faces[i];
+        const auto alike = hn::Eq(face, hn::Set(d, static_cast<float>(first)));
+        if (HWY_LIKELY(hn::AllTrue(d, alike))) {
+            if (first < face_count) bounds[first].extend(alike, u, v);
+            continue;
+        }
+        for (std::uint32_t f = 0; f < face_count; ++f) {
+            bounds[f].extend(hn::Eq(face, hn::Set(d, static_cast<float>(f))), u, v);
+        }
+    }
+    FaceBounds result;
+    for (std::size_t face = 0; face < face_count; ++face) result[face] = bounds[face].across();
+    for (; i < end; ++i) {
+        const RayFrame ray = ray_frame(rays, i);
+        framed[i] = {ray.slope_u, ray.slope_v, ray.depth_min, ray.depth_max};
+        faces[i] = ray.hits_nothing() ? face_count : ray.axes.face();
+        if (faces[i] == face_count) continue;
+        result[faces[i]].extend({ray.slope_u, ray.slope_u, ray.slope_v, ray.slope_v});
+    }
+    return result;
+}
+
+/// Bits of x at the even places, for x below 2^16.
+template <class V>
+HWY_INLINE V spread_bits(UintTag du, V x) {
+    x = hn::And(hn::Or(x, hn::ShiftLeft<8>(x)), hn::Set(du, 0x00ff00ffu));
+    x = hn::And(hn::Or(x, hn::ShiftLeft<4>(x)), hn::Set(du, 0x0f0f0f0fu));
+    x = hn::And(hn::Or(x, hn::ShiftLeft<2>(x)), hn::Set(du, 0x33333333u));
+    return hn::And(hn::Or(x, hn::ShiftLeft<1>(x)), hn::Set(du, 0x55555555u));
+}
+
+void make_keys(const KeyMap& map, const FramedRay* framed, const std::uint32_t* faces, std::size_t begin,
+               std::size_t end, std::uint64_t* keys) {
+    const LaneTag d;
+    const UintTag du;
+    const hn::RebindToSigned<LaneTag> di;
+    const Lanes last = hn::Set(d, static_cast<float>(map.last));
+    HWY_ALIGN std::uint32_t key[group];
+    for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
+        const std::size_t count = std::min(hn::Lanes(d), end - i);
+        HWY_ALIGN FramedRay rest[group] = {};
+        HWY_ALIGN std::uint32_t rest_faces[group] = {};
+        const bool whole = count == hn::Lanes(d);
+        if (!whole) {
+            std::copy_n(framed + i, count, rest);
+            std::copy_n(faces + i, count, rest_faces);
+        }
+        Lanes u, v, depth_min, depth_max;
+        hn::LoadInterleaved4(d, whole ? &framed[i].slope_u : &rest[0].slope_u, u, v, depth_min, depth_max);
+        const auto face = hn::BitCast(di, hn::LoadU(du, whole ? faces + i : rest_faces));
+        const Lanes scale = hn::GatherIndex(d, map.scale.data(), face);
+        const auto place = [&](Lanes slope, const float* low) {
+            const Lanes at = hn::Mul(hn::Sub(slope, hn::GatherIndex(d, low, face)), scale);
+            // The order of operands lets a NaN of a ray that hits nothing become a number.
+            const Lanes held = hn::Min(hn::Max(at, hn::Zero(d)), last);
+            return spread_bits(du, hn::BitCast(du, hn::ConvertTo(di, held)));
+        };
+        const auto code = hn::Or(hn::ShiftLeft<1>(place(v, map.low_v.data())), place(u, map.low_u.data()));
+        hn::Store(hn::Or(code, hn::GatherIndex(du, map.first.data(), face)), du, key);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            keys[i + lane] = std::uint64_t{key[lane]} << 32 | (i + lane);
+        }
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gridreel::traversal
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gridreel::traversal {
+
+HWY_EXPORT(frame_rays);
+HWY_EXPORT(make_keys);
+
+void SlopeBounds::extend(const SlopeBounds& other) {
+    low_u = std::min(low_u, other.low_u);
+    high_u = std::max(high_u, other.high_u);
+    low_v = std::min(low_v, other.low_v);
+    high_v = std::max(high_v, other.high_v);
+}
+
+FaceBounds frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, FramedRay* framed,
+                      std::uint32_t* faces) {
+    return HWY_DYNAMIC_DISPATCH(frame_rays)(rays, begin, end, framed, faces);
+}
+
+void make_keys(const KeyMap& map, const FramedRay* framed, const std::uint32_t* faces, std::size_t begin,
+               std::size_t end, std::uint64_t* keys) {
+    HWY_DYNAMIC_DISPATCH(make_keys)(map, framed, faces, begin, end, keys);
+}
+
+}  // namespace gridreel::traversal
+#endif
