@@ -28,10 +28,13 @@ struct CellRange {
     friend bool operator==(const CellRange&, const CellRange&) = default;
 };
 
+inline constexpr CellRange no_cells{.first = {1, 1, 1}, .last = {0, 0, 0}};
+
 /// The world box cut into `resolution` equal cells.
 class CellMapping {
 public:
-    CellMapping(const Bounds3& world, const glm::ivec3& resolution);
+    /// @param least_slack  metres by which ranges are widened at least
+    CellMapping(const Bounds3& world, const glm::ivec3& resolution, double least_slack = 0.0);
 
     /// Cells that come within `slack()` of the triangle's bounding box; none if a corner is not traceable.
     [[nodiscard]] CellRange cells_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) const;
@@ -41,11 +44,19 @@ public:
     /// Metres by which ranges are widened: above the rounding error of mapping a point to its cell.
     [[nodiscard]] glm::dvec3 slack() const { return glm::dvec3{slack_cells_} * cell_size_; }
 
+    // What `cells_of` computes with, for kernels that do the same.
+    [[nodiscard]] const glm::vec3& origin() const { return origin_; }
+    [[nodiscard]] const glm::vec3& cells_per_metre() const { return cells_per_metre_; }
+    [[nodiscard]] const glm::vec3& slack_cells() const { return slack_cells_; }
+    [[nodiscard]] const glm::vec3& last_cell() const { return last_cell_; }
+    [[nodiscard]] const glm::ivec3& resolution() const { return resolution_; }
+
 private:
     glm::vec3 origin_;
     glm::vec3 cells_per_metre_;
     glm::vec3 slack_cells_;
     glm::vec3 last_cell_;
+    glm::ivec3 resolution_;
     glm::dvec3 cell_size_;
 };
 

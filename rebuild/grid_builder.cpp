@@ -1,16 +1,17 @@
 #include "rebuild/grid_builder.h"
 
+#include "rebuild/cell_mapping.h"
+#include "rebuild/cell_range_kernel.h"
+
+#include <glm/geometric.hpp>
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <chrono>
-#include <limits>
-#include <span>
+#include <stdexcept>
 #include <utility>
 
 namespace gridreel::rebuild {
@@ -19,8 +20,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t references_per_triangle_limit = 64;
-constexpr std::size_t chunk_limit = 16;  // private histograms cost chunks * cells
-constexpr std::size_t scan_pieces = 64;
+constexpr std::uint64_t nested_references_per_triangle_limit = 4;
+
+/// Of the whole scene: the rounding of corners as seen from some diagonals away, so that rays from there find
+/// them in their cells, however small the cells of nested grids are.
+constexpr double slack_per_diagonal = 0x1p-20;
 
 /// Milliseconds since the last call.
 class PhaseTimer {
@@ -35,29 +39,16 @@ private:
     Clock::time_point last_ = Clock::now();
 };
 
-/// The k-th of `pieces` equal parts of `count` things.
-struct Piece {
-    std::size_t begin, end;
-    Piece(std::size_t count, std::size_t k, std::size_t pieces)
-        : begin(count * k / pieces), end(count * (k + 1) / pieces) {}
-};
-
-/// The box of all triangles that can be hit. Vertices that no triangle uses do not stretch it.
-Bounds3 traceable_bounds(const TriangleView& view) {
+/// The box of all triangles of the list that can be hit. Vertices that no triangle uses do not stretch it.
+Bounds3 traceable_bounds(const TriangleView& view, const TriangleList& list) {
     constexpr std::size_t grain = 1 << 13;
     using Range = tbb::blocked_range<std::size_t>;
+    if (list.count <= grain) return bounds_of(view, list, 0, list.count);
     // Minimum and maximum do not depend on the order in which parts are joined.
     return tbb::parallel_reduce(
-        Range(0, view.size(), grain), Bounds3{},
+        Range(0, list.count, grain), Bounds3{},
         [&](const Range& range, Bounds3 box) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                const glm::uvec3& corners = view.triangles[i];
-                const glm::vec3& a = view.positions[corners.x];
-                const glm::vec3& b = view.positions[corners.y];
-                const glm::vec3& c = view.positions[corners.z];
-                if (!is_traceable(a) || !is_traceable(b) || !is_traceable(c)) continue;
-                box.extend({.min = glm::min(a, glm::min(b, c)), .max = glm::max(a, glm::max(b, c))});
-            }
+            box.extend(bounds_of(view, list, range.begin(), range.end()));
             return box;
         },
         [](Bounds3 a, const Bounds3& b) {
@@ -76,6 +67,26 @@ Bounds3 padded(const Bounds3& box) {
     return {.min = box.min - pad, .max = box.max + pad};
 }
 
+/// A grid of this box, for so many triangles; its cells have no place yet.
+UniformGrid grid_in(const Bounds3& box, std::size_t triangles, const ResolutionPolicy& policy,
+                    double least_slack) {
+    UniformGrid grid{.bounds = padded(box), .least_slack = least_slack};
+    grid.resolution = choose_resolution(grid.bounds, triangles, policy);
+    const CellMapping mapping(grid.bounds, grid.resolution, least_slack);
+    grid.cell_size = mapping.cell_size();
+    grid.slack = mapping.slack();
+    return grid;
+}
+
+/// The box of one cell, as far as a walk may take a point to be in it.
+Bounds3 box_of_cell(const UniformGrid& grid, std::size_t cell) {
+    const auto x = static_cast<std::size_t>(grid.resolution.x),
+               y = static_cast<std::size_t>(grid.resolution.y);
+    const glm::dvec3 index{double(cell % x), double(cell / x % y), double(cell / (x * y))};
+    const glm::dvec3 low = glm::dvec3{grid.bounds.min} + index * grid.cell_size;
+    return {.min = glm::vec3{low - grid.slack}, .max = glm::vec3{low + grid.cell_size + grid.slack}};
+}
+
 }  // namespace
 
 GridBuilder::GridBuilder(const ResolutionPolicy& policy) : policy_(policy) {
@@ -83,126 +94,114 @@ GridBuilder::GridBuilder(const ResolutionPolicy& policy) : policy_(policy) {
 }
 
 BuildReport GridBuilder::rebuild(const TriangleView& triangles) {
-    const auto start = Clock::now();
+    if (triangles.size() >= nested_mark) throw std::length_error("2^31 triangles or more in one grid");
+    PhaseTimer whole;
     PhaseTimer timer;
     BuildReport report;
+    for (GridLevel& level : grid_.levels) level.grids.resize(0);
 
-    // Box and resolution.
-    const Bounds3 box = traceable_bounds(triangles);
-    if (box.empty()) {
-        grid_.bounds = {};
-        grid_.resolution = glm::ivec3{0};
-        grid_.cell_begin.resize(0);
-        grid_.references.resize(0);
-        return report;
-    }
-    grid_.bounds = padded(box);
-    ResolutionPolicy policy = policy_;
-    grid_.resolution = choose_resolution(grid_.bounds, triangles.size(), policy);
+    const Bounds3 box = traceable_bounds(triangles, {.count = triangles.size()});
+    if (box.empty()) return report;
     report.bounds_ms = timer.lap();
+    build_top(triangles, box, report);
 
-    // Count; too many references mean too many cells.
-    ranges_.resize(triangles.size());
-    histograms_.resize(std::clamp<std::size_t>(
-        static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()), 1, chunk_limit));
-    for (;;) {
-        const CellMapping mapping(grid_.bounds, grid_.resolution);
-        grid_.cell_size = mapping.cell_size();
-        grid_.slack = mapping.slack();
-        if (count(triangles, mapping) || grid_.cell_count() == 1) break;
-        policy.lambda /= 3.0f;
-        grid_.resolution = choose_resolution(grid_.bounds, triangles.size(), policy);
+    PhaseTimer nesting;
+    for (std::size_t depth = 1; depth <= deepest_nesting && nest(triangles, depth, report); ++depth) {
     }
-    report.count_ms = timer.lap();
+    report.nesting_ms = nesting.lap();
 
-    scan();
-    report.scan_ms = timer.lap();
-    scatter();
-    report.scatter_ms = timer.lap();
-
-    const std::chrono::duration<double, std::milli> total = Clock::now() - start;
-    report.total_ms = total.count();
-    report.resolution = grid_.resolution;
-    report.cells = grid_.cell_count();
-    report.references = grid_.references.size();
+    report.total_ms = whole.lap();
+    report.resolution = grid_.top().resolution;
     report.bytes = bytes();
     return report;
 }
 
-/// Each chunk of triangles fills its own histogram.
-/// @return false when there are too many references; a decision that does not depend on the number of chunks
-bool GridBuilder::count(const TriangleView& triangles, const CellMapping& mapping) {
-    const std::size_t chunks = histograms_.size();
-    const std::uint64_t limit = references_per_triangle_limit * triangles.size();
-    std::atomic<std::uint64_t> total{0};
-    tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
-        Buffer<std::uint32_t>& histogram = histograms_[chunk];
-        histogram.resize(grid_.cell_count());
-        std::fill(histogram.begin(), histogram.end(), 0u);
-        std::uint64_t references = 0;
-        const Piece piece(triangles.size(), chunk, chunks);
-        for (std::size_t i = piece.begin; i < piece.end; ++i) {
-            const glm::uvec3& corners = triangles.triangles[i];
-            const CellRange range =
-                mapping.cells_of(triangles.positions[corners.x], triangles.positions[corners.y],
-                                 triangles.positions[corners.z]);
-            ranges_[i] = range;
-            references += range.cell_count();
-            if (references > limit) break;
-            for_each_cell(range, grid_.resolution, [&](std::size_t cell) { ++histogram[cell]; });
-        }
-        total += references;
-    });
-    // 64 references a triangle of at most 2^32 triangles could exceed the 32 bits of `cell_begin`.
-    return total <= std::min<std::uint64_t>(limit, std::numeric_limits<std::uint32_t>::max());
+void GridBuilder::build_top(const TriangleView& triangles, const Bounds3& box, BuildReport& report) {
+    PhaseTimer timer;
+    GridLevel& level = grid_.levels[0];
+    level.grids.resize(1);
+    jobs_.assign(1, {.triangles = {.count = triangles.size()}});
+    GridJob& job = jobs_[0];
+    job.reference_limit = references_per_triangle_limit * triangles.size();
+
+    // Too many references mean too many cells. 64 for each of 2^31 triangles could exceed 32 bits, too.
+    ResolutionPolicy policy = policy_;
+    const double least_slack = slack_per_diagonal * glm::length(glm::dvec3{box.extent()});
+    for (;;) {
+        level.grids[0] = grid_in(box, triangles.size(), policy, least_slack);
+        sort_.count(triangles, jobs_, level);
+        report.count_ms += timer.lap();
+        if ((!job.over_limit() || level.grids[0].cell_count() == 1) && sort_.scan(jobs_, level)) break;
+        policy.lambda /= 3.0f;
+    }
+    report.scan_ms = timer.lap();
+    sort_.scatter(jobs_, level);
+    report.scatter_ms = timer.lap();
+    report.cells = level.grids[0].cell_count();
+    report.references = level.references.size();
 }
 
-/// Turns counts into places: cell_begin[c], and in each histogram the first slot of its chunk in cell c.
-void GridBuilder::scan() {
-    const std::size_t cells = grid_.cell_count();
-    grid_.cell_begin.resize(cells + 1);
+/// Makes grids of the crowded cells of the level above.
+/// @return whether there are any
+bool GridBuilder::nest(const TriangleView& triangles, std::size_t depth, BuildReport& report) {
+    if (policy_.nest_above == 0) return false;
+    sort_.find_crowded(grid_.levels[depth - 1], policy_.nest_above, crowded_);
+    if (crowded_.empty()) return false;
 
-    std::array<std::uint32_t, scan_pieces + 1> piece_begin{};
-    tbb::parallel_for(std::size_t{0}, scan_pieces, [&](std::size_t k) {
-        const Piece piece(cells, k, scan_pieces);
-        std::uint32_t sum = 0;
-        for (const auto& histogram : histograms_) {
-            for (std::size_t cell = piece.begin; cell < piece.end; ++cell) sum += histogram[cell];
-        }
-        piece_begin[k + 1] = sum;
-    });
-    for (std::size_t k = 0; k < scan_pieces; ++k) piece_begin[k + 1] += piece_begin[k];
-
-    tbb::parallel_for(std::size_t{0}, scan_pieces, [&](std::size_t k) {
-        const Piece piece(cells, k, scan_pieces);
-        std::uint32_t next = piece_begin[k];
-        for (std::size_t cell = piece.begin; cell < piece.end; ++cell) {
-            grid_.cell_begin[cell] = next;
-            for (auto& histogram : histograms_) next += std::exchange(histogram[cell], next);
-        }
-    });
-    grid_.cell_begin[cells] = piece_begin[scan_pieces];
-    grid_.references.resize(piece_begin[scan_pieces]);
+    GridLevel& level = grid_.levels[depth];
+    measure_nested(triangles, depth);
+    sort_.count(triangles, jobs_, level);
+    for (GridJob& job : jobs_) job.dropped = job.over_limit();
+    if (!sort_.scan(jobs_, level)) {
+        level.grids.resize(0);
+        return false;
+    }
+    sort_.scatter(jobs_, level);
+    mark_nested(depth);
+    for (std::size_t j = 0; j < jobs_.size(); ++j) {
+        if (jobs_[j].dropped) continue;
+        ++report.nested_grids;
+        report.cells += level.grids[j].cell_count();
+    }
+    report.references += level.references.size();
+    return true;
 }
 
-/// Chunks hold ascending triangles and own ascending slots of each cell, so lists come out ascending.
-void GridBuilder::scatter() {
-    const std::size_t chunks = histograms_.size();
-    tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
-        std::uint32_t* next = histograms_[chunk].data();
-        std::uint32_t* references = grid_.references.data();
-        const Piece piece(ranges_.size(), chunk, chunks);
-        for (std::size_t i = piece.begin; i < piece.end; ++i) {
-            const auto triangle = static_cast<std::uint32_t>(i);
-            for_each_cell(ranges_[i], grid_.resolution,
-                          [&](std::size_t cell) { references[next[cell]++] = triangle; });
-        }
+/// Jobs and grids for the crowded cells: tight boxes and resolutions.
+void GridBuilder::measure_nested(const TriangleView& triangles, std::size_t depth) {
+    const GridLevel& above = grid_.levels[depth - 1];
+    GridLevel& level = grid_.levels[depth];
+    level.grids.resize(crowded_.size());
+    jobs_.resize(crowded_.size());
+    tbb::parallel_for(std::size_t{0}, crowded_.size(), [&](std::size_t i) {
+        const CrowdedCell& place = crowded_[i];
+        const std::uint32_t begin = above.cell_begin[place.cell];
+        const TriangleList list{.indices = above.references.data() + begin,
+                                .count = above.cell_begin[place.cell + 1] - begin};
+        jobs_[i] = {.triangles = list, .reference_limit = nested_references_per_triangle_limit * list.count};
+
+        const UniformGrid& parent = above.grids[place.grid];
+        const Bounds3 cell = box_of_cell(parent, place.cell - parent.first_cell);
+        Bounds3 box = traceable_bounds(triangles, list);
+        box = {.min = glm::max(box.min, cell.min), .max = glm::min(box.max, cell.max)};
+        level.grids[i] = grid_in(box.empty() ? cell : box, list.count, policy_, parent.least_slack);
+    });
+}
+
+/// Puts the grids of a level in the place of the cells they were made of.
+void GridBuilder::mark_nested(std::size_t depth) {
+    GridLevel& above = grid_.levels[depth - 1];
+    tbb::parallel_for(std::size_t{0}, crowded_.size(), [&](std::size_t i) {
+        if (jobs_[i].dropped) return;
+        std::uint32_t* const first = above.references.data() + above.cell_begin[crowded_[i].cell];
+        first[0] = nested_mark | static_cast<std::uint32_t>(i);
+        first[1] = static_cast<std::uint32_t>(jobs_[i].triangles.count);
     });
 }
 
 std::size_t GridBuilder::bytes() const {
-    std::size_t sum = grid_.cell_begin.bytes() + grid_.references.bytes() + ranges_.bytes();
-    for (const auto& histogram : histograms_) sum += histogram.bytes();
+    std::size_t sum = sort_.bytes();
+    for (const GridLevel& level : grid_.levels) sum += level.bytes();
     return sum;
 }
 

@@ -2,12 +2,12 @@
 // Triangles in, a grid out, from scratch, every frame.
 
 #include "rebuild/build_report.h"
-#include "rebuild/cell_mapping.h"
 #include "rebuild/grid.h"
+#include "rebuild/level_sort.h"
 #include "rebuild/resolution.h"
 #include "rebuild/triangle_view.h"
 
-#include <cstdint>
+#include <array>
 #include <vector>
 
 namespace gridreel::rebuild {
@@ -20,23 +20,30 @@ class GridBuilder {
 public:
     explicit GridBuilder(const ResolutionPolicy& policy = {});
 
-    /// Builds the grid of `triangles`. Where the resolution rule would list each triangle more than
-    /// 64 times on average (long thin triangles across many cells), the grid is made coarser until it does
-    /// not.
+    /// Builds the grid of `triangles`, of which there are fewer than 2^31.
+    ///
+    /// Where the resolution rule would list each triangle more than 64 times on average (long thin triangles
+    /// across many cells), the grid is made coarser until it does not. A cell of more than `nest_above`
+    /// triangles becomes a grid by the same rule, in the tight box of what it holds, at most
+    /// `deepest_nesting` deep, unless that would list its triangles four times over.
+    ///
+    /// @throws std::length_error for 2^31 triangles or more
     BuildReport rebuild(const TriangleView& triangles);
 
     [[nodiscard]] const Grid& grid() const { return grid_; }
 
 private:
-    [[nodiscard]] bool count(const TriangleView& triangles, const CellMapping& mapping);
-    void scan();
-    void scatter();
+    void build_top(const TriangleView& triangles, const Bounds3& box, BuildReport& report);
+    [[nodiscard]] bool nest(const TriangleView& triangles, std::size_t depth, BuildReport& report);
+    void measure_nested(const TriangleView& triangles, std::size_t depth);
+    void mark_nested(std::size_t depth);
     [[nodiscard]] std::size_t bytes() const;
 
     ResolutionPolicy policy_;
     Grid grid_;
-    Buffer<CellRange> ranges_;                       ///< one per triangle
-    std::vector<Buffer<std::uint32_t>> histograms_;  ///< one per chunk of triangles, one count per cell
+    LevelSort sort_;
+    std::vector<GridJob> jobs_;  ///< of the level being built
+    std::vector<CrowdedCell> crowded_;
 };
 
 }  // namespace gridreel::rebuild

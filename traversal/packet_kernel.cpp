@@ -47,12 +47,9 @@ TraceReport trace_packets(const GridScene& scene, const PacketSource& source, st
     TraceReport report;
     Packet packet;
     Candidates candidates;
-    const bool traceable = !scene.grid.bounds.empty() && rebuild::is_traceable(*source.rays.common_origin);
+    const bool traceable = !scene.grid.empty() && rebuild::is_traceable(*source.rays.common_origin);
     const auto trace = [&](Packet& loaded) {
-        if (traceable) {
-            candidates.clear();
-            March<wanted>(scene, loaded, candidates, report).run((1u << loaded.block_count()) - 1u, 0);
-        }
+        if (traceable) March<wanted>(scene, loaded, candidates, report).run();
         store(loaded);
     };
     for (std::size_t p = first; p < last; ++p) {

@@ -178,12 +178,12 @@ HWY_INLINE bool load_uniform(const PacketSource& source, std::size_t begin, std:
     return true;
 }
 
-/// Fills the packet with rays that all have the frame `axes`, one by one.
+/// Fills the packet with rays that all have one origin and the frame `axes`, one by one.
 /// @param rays  1 to 256 positions in the batch, none of which hits nothing
 HWY_INLINE void load_chosen(const PacketSource& source, Axes axes, std::span<const std::uint32_t> rays,
                             Packet& packet) {
     assert(!rays.empty() && rays.size() <= rays_per_packet);
-    packet.origin = *source.rays.common_origin;
+    packet.origin = source.rays.origin_of(rays[0]);
     packet.axes = axes;
     packet.ray_count = static_cast<std::uint32_t>(rays.size());
     for (std::size_t lane = 0; lane < packet.block_count() * rays_per_block; ++lane) {

@@ -46,51 +46,81 @@ struct Interval {
 };
 
 /// Where rays with slopes in [low, high] can be between two depths >= 0.
-Interval reach(double low_slope, double high_slope, double from, double to) {
+inline Interval reach(double low_slope, double high_slope, double from, double to) {
     return {std::min(from * low_slope, to * low_slope), std::max(from * high_slope, to * high_slope)};
 }
+
+/// One grid as the packet sees it.
+struct Stage {
+    const rebuild::GridLevel& level;
+    std::size_t depth;  // of nesting
+    std::size_t first_cell;
+    Across u, v;
+    int slices;
+    double slice_depth, first_plane;  // the plane's depth may be negative
+    std::size_t slice_stride;
+};
 
 template <Wanted wanted>
 class March {
 public:
     March(const GridScene& scene, Packet& packet, Candidates& candidates, TraceReport& report)
-        : scene_(scene), packet_(packet), candidates_(candidates), report_(report) {
-        const rebuild::Grid& grid = scene.grid;
-        const int k = packet.axes.k;
+        : scene_(scene), packet_(packet), candidates_(candidates), report_(report) {}
+
+    /// Traces all blocks through the whole grid.
+    void run() {
+        const Stage top = stage(0, 0);
+        // Corners are rounded when they are taken relative to the origin: far away they stand beside their
+        // cells.
+        const rebuild::Bounds3& box = scene_.grid.top().bounds;
+        corner_error_ = farthest_offset(box, packet_.origin) * 0x1p-23;
+        candidates_.clear();
+        walk_alone(top, (1u << packet_.block_count()) - 1u, 0);
+    }
+
+private:
+    [[nodiscard]] Stage stage(std::size_t depth, std::size_t index) const {
+        const rebuild::GridLevel& level = scene_.grid.levels[depth];
+        const rebuild::UniformGrid& grid = level.grids[index];
         const std::array<std::size_t, 3> stride{
             1, std::size_t(grid.resolution.x),
             std::size_t(grid.resolution.x) * std::size_t(grid.resolution.y)};
         const auto across = [&](int axis) {
             const auto i = static_cast<std::size_t>(axis);
-            return Across{.low = double(grid.bounds.min[axis]) - double(packet.origin[axis]),
-                          .high = double(grid.bounds.max[axis]) - double(packet.origin[axis]),
+            return Across{.low = double(grid.bounds.min[axis]) - double(packet_.origin[axis]),
+                          .high = double(grid.bounds.max[axis]) - double(packet_.origin[axis]),
                           .cells_per_metre = 1.0 / grid.cell_size[axis],
                           .last = grid.resolution[axis] - 1,
                           .stride = stride[i]};
         };
-        u_ = across(packet.axes.u());
-        v_ = across(packet.axes.v());
+        const int k = packet_.axes.k;
         const Across along = across(k);
-        slices_ = grid.resolution[k];
-        slice_depth_ = grid.cell_size[k];
-        slice_stride_ = along.stride;
-        first_plane_ = packet.axes.negative ? -along.high : along.low;
-        // Corners are rounded when they are taken relative to the origin: far away they stand beside their
-        // cells.
-        double farthest = 0.0;
-        for (const Across& axis : {u_, v_, along}) farthest = std::max({farthest, -axis.low, axis.high});
-        corner_error_ = farthest * 0x1p-23;
+        return {.level = level,
+                .depth = depth,
+                .first_cell = grid.first_cell,
+                .u = across(packet_.axes.u()),
+                .v = across(packet_.axes.v()),
+                .slices = grid.resolution[k],
+                .slice_depth = grid.cell_size[k],
+                .first_plane = packet_.axes.negative ? -along.high : along.low,
+                .slice_stride = along.stride};
     }
 
-    /// Traces the active blocks from `slice` on.
-    void run(unsigned active, int slice) {
+    /// Walks the blocks from `slice` on, and tests all that they collect.
+    void walk_alone(const Stage& at, unsigned active, int slice) {
         Frustum frustum = frustum_of(packet_, active);
-        slice = std::max(slice, first_slice(frustum));
+        walk(at, active, frustum, slice);
+        flush(active, frustum);
+    }
+
+    /// Walks the active blocks through one grid; what they collected last may still wait at the end.
+    void walk(const Stage& at, unsigned& active, Frustum& frustum, int slice) {
+        slice = std::max(slice, first_slice(at, frustum));
         bool entered = false;
-        for (; slice < slices_ && active != 0; ++slice) {
+        for (; slice < at.slices && active != 0; ++slice) {
             // A hit in an earlier slice is final, one in this or a later slice is not yet.
-            const double from = std::max(double(frustum.near_depth), first_plane_ + slice * slice_depth_);
-            const double to = first_plane_ + (slice + 1) * slice_depth_;
+            const double from = std::max(double(frustum.near_depth), at.first_plane + slice * at.slice_depth);
+            const double to = at.first_plane + (slice + 1) * at.slice_depth;
             if (from > double(frustum.far_depth) * (1.0 + depth_error)) break;
 
             const Interval u = reach(double(frustum.centre_u) - double(frustum.half_u),
@@ -99,65 +129,81 @@ public:
             const Interval v = reach(double(frustum.centre_v) - double(frustum.half_v),
                                      double(frustum.centre_v) + double(frustum.half_v), from, to)
                                    .widened(corner_error_);
-            if (u.high < u_.low || u.low > u_.high || v.high < v_.low || v.low > v_.high) {
+            if (u.high < at.u.low || u.low > at.u.high || v.high < at.v.low || v.low > at.v.high) {
                 if (entered) break;  // a frustum and a box are convex: it does not come back
                 continue;
             }
             entered = true;
 
-            const int u0 = u_.cell(u.low), u1 = u_.cell(u.high), v0 = v_.cell(v.low), v1 = v_.cell(v.high);
-            const std::int64_t cells = std::int64_t{u1 - u0 + 1} * std::int64_t{v1 - v0 + 1};
+            const Cells cells{.u0 = at.u.cell(u.low),
+                              .u1 = at.u.cell(u.high),
+                              .v0 = at.v.cell(v.low),
+                              .v1 = at.v.cell(v.high)};
             const int blocks = std::popcount(active);
-            if (blocks > 1 && cells > cells_per_block_limit * blocks) {
-                flush(active, frustum);
-                if (active != 0) split(active, frustum_of(packet_, active), slice);
+            if (blocks > 1 && cells.count() > cells_per_block_limit * blocks) {
+                split(at, active, frustum, slice);
                 return;
             }
-            report_.cells += static_cast<std::uint64_t>(cells);
-            collect(slice, u0, u1, v0, v1, active, frustum);
+            report_.cells += static_cast<std::uint64_t>(cells.count());
+            collect(at, slice, cells, active, frustum);
             if (candidates_.size() >= worth_a_pass) flush(active, frustum);
         }
-        flush(active, frustum);
     }
 
-private:
+    /// The cells of a slice that the frustum overlaps, both ends included.
+    struct Cells {
+        int u0, u1, v0, v1;
+        [[nodiscard]] std::int64_t count() const {
+            return std::int64_t{u1 - u0 + 1} * std::int64_t{v1 - v0 + 1};
+        }
+    };
+
     /// The first slice that the frustum can touch: behind the nearest depth, and not before it reaches the
     /// box.
-    [[nodiscard]] int first_slice(const Frustum& frustum) const {
-        double depth = std::max(double(frustum.near_depth), first_plane_);
+    [[nodiscard]] int first_slice(const Stage& at, const Frustum& frustum) const {
+        double depth = std::max(double(frustum.near_depth), at.first_plane);
         const auto wait_for = [&](const Across& axis, double low_slope, double high_slope) {
             if (axis.high < 0.0 && low_slope < 0.0) depth = std::max(depth, axis.high / low_slope);
             if (axis.low > 0.0 && high_slope > 0.0) depth = std::max(depth, axis.low / high_slope);
         };
-        wait_for(u_, double(frustum.centre_u) - double(frustum.half_u),
+        wait_for(at.u, double(frustum.centre_u) - double(frustum.half_u),
                  double(frustum.centre_u) + double(frustum.half_u));
-        wait_for(v_, double(frustum.centre_v) - double(frustum.half_v),
+        wait_for(at.v, double(frustum.centre_v) - double(frustum.half_v),
                  double(frustum.centre_v) + double(frustum.half_v));
         return static_cast<int>(
-            std::clamp(std::floor((depth - first_plane_) / slice_depth_), 0.0, double(slices_)));
+            std::clamp(std::floor((depth - at.first_plane) / at.slice_depth), 0.0, double(at.slices)));
     }
 
-    void collect(int slice, int u0, int u1, int v0, int v1, unsigned& active, Frustum& frustum) {
+    void collect(const Stage& at, int slice, const Cells& cells, unsigned& active, Frustum& frustum) {
         const auto layer =
-            static_cast<std::size_t>(packet_.axes.negative ? slices_ - 1 - slice : slice) * slice_stride_;
-        for (int v = v0; v <= v1; ++v) {
-            const std::size_t row = layer + static_cast<std::size_t>(v) * v_.stride;
-            if (u_.stride == 1) {  // neighbours along x: one span of references
-                take(row + std::size_t(u0), row + std::size_t(u1) + 1, active, frustum);
+            at.first_cell +
+            static_cast<std::size_t>(packet_.axes.negative ? at.slices - 1 - slice : slice) * at.slice_stride;
+        for (int v = cells.v0; v <= cells.v1; ++v) {
+            const std::size_t row = layer + static_cast<std::size_t>(v) * at.v.stride;
+            if (at.u.stride == 1) {  // neighbours along x: one span of references
+                take(at, row + std::size_t(cells.u0), row + std::size_t(cells.u1) + 1, active, frustum);
                 continue;
             }
-            for (int u = u0; u <= u1; ++u) {
-                const std::size_t cell = row + static_cast<std::size_t>(u) * u_.stride;
-                take(cell, cell + 1, active, frustum);
+            for (int u = cells.u0; u <= cells.u1; ++u) {
+                const std::size_t cell = row + static_cast<std::size_t>(u) * at.u.stride;
+                take(at, cell, cell + 1, active, frustum);
             }
         }
     }
 
     /// The triangles of cells [begin, end).
-    void take(std::size_t begin, std::size_t end, unsigned& active, Frustum& frustum) {
-        const std::uint32_t last = scene_.grid.cell_begin[end];
-        for (std::uint32_t i = scene_.grid.cell_begin[begin]; i < last; ++i) {
-            candidates_.add(scene_.grid.references[i]);
+    HWY_INLINE void take(const Stage& at, std::size_t begin, std::size_t end, unsigned& active,
+                         Frustum& frustum) {
+        const std::uint32_t last = at.level.cell_begin[end];
+        for (std::uint32_t i = at.level.cell_begin[begin]; i < last; ++i) {
+            const std::uint32_t reference = at.level.references[i];
+            if (HWY_UNLIKELY((reference & rebuild::nested_mark) != 0)) {
+                if (active != 0)
+                    walk(stage(at.depth + 1, reference & ~rebuild::nested_mark), active, frustum, 0);
+                i += at.level.references[i + 1] - 1;
+                continue;
+            }
+            candidates_.add(reference);
             if (candidates_.full()) flush(active, frustum);
         }
     }
@@ -165,6 +211,10 @@ private:
     void flush(unsigned& active, Frustum& frustum) {
         if (candidates_.size() == 0) return;
         intersect<wanted>(scene_, packet_, active, frustum, candidates_, report_);
+        update_reach(active, frustum);
+    }
+
+    void update_reach(unsigned active, Frustum& frustum) const {
         float far_depth = -1.0f;
         for (unsigned rest = active; rest != 0; rest &= rest - 1) {
             far_depth = std::max(far_depth, packet_.far_depth[std::countr_zero(rest)]);
@@ -172,8 +222,10 @@ private:
         frustum.far_depth = far_depth;
     }
 
-    /// Halves the wider side of the frustum; each half goes on alone from the same slice.
-    void split(unsigned active, const Frustum& frustum, int slice) {
+    /// Halves the wider side of the frustum; each half goes on alone through this grid from the same slice.
+    void split(const Stage& at, unsigned& active, Frustum& frustum, int slice) {
+        flush(active, frustum);
+        if (active == 0) return;
         const bool by_u = frustum.half_u > frustum.half_v;
         unsigned lower = 0;
         for (unsigned rest = active; rest != 0; rest &= rest - 1) {
@@ -188,19 +240,21 @@ private:
         }
         for (const unsigned half : {lower, active & ~lower}) {
             candidates_.forget();
-            run(half, slice);
+            walk_alone(at, half, slice);
         }
+        // Together again, in the grid around this one.
+        candidates_.forget();
+        for (unsigned rest = active; rest != 0; rest &= rest - 1) {
+            const int block = std::countr_zero(rest);
+            if (packet_.far_depth[block] < 0.0f) active &= ~(1u << block);
+        }
+        update_reach(active, frustum);
     }
 
     const GridScene& scene_;
     Packet& packet_;
     Candidates& candidates_;
     TraceReport& report_;
-    Across u_{}, v_{};
-    int slices_ = 0;
-    double slice_depth_ = 0.0;
-    double first_plane_ = 0.0;  // depth at which the grid begins; may be negative
-    std::size_t slice_stride_ = 0;
     double corner_error_ = 0.0;  // metres across
 };
 

@@ -9,7 +9,7 @@
 
 namespace gridreel::traversal {
 
-RayWalk::RayWalk(const rebuild::Grid& grid, const glm::vec3& origin, const RayFrame& ray) {
+RayWalk::RayWalk(const rebuild::UniformGrid& grid, const glm::vec3& origin, const RayFrame& ray) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (grid.bounds.empty() || ray.hits_nothing() || !rebuild::is_traceable(origin)) return;
 
@@ -39,7 +39,7 @@ RayWalk::RayWalk(const rebuild::Grid& grid, const glm::vec3& origin, const RayFr
     // The first cell, and the planes ahead of it.
     const std::array<std::ptrdiff_t, 3> strides{
         1, grid.resolution.x, std::ptrdiff_t{grid.resolution.x} * std::ptrdiff_t{grid.resolution.y}};
-    std::ptrdiff_t cell = 0;
+    auto cell = static_cast<std::ptrdiff_t>(grid.first_cell);
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
         const double low = grid.bounds.min[axis];

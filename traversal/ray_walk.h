@@ -15,10 +15,10 @@ namespace gridreel::traversal {
 /// errs far less than the slack with which triangles are listed in cells.
 class RayWalk {
 public:
-    RayWalk(const rebuild::Grid& grid, const glm::vec3& origin, const RayFrame& ray);
+    RayWalk(const rebuild::UniformGrid& grid, const glm::vec3& origin, const RayFrame& ray);
 
     [[nodiscard]] bool inside() const { return inside_; }
-    [[nodiscard]] std::size_t cell() const { return cell_; }
+    [[nodiscard]] std::size_t cell() const { return cell_; }  ///< of the grid's level
 
     /// Depth at which the ray leaves the current cell: the nearest of the three planes ahead.
     [[nodiscard]] double exit_depth() const { return next_plane_[nearest_]; }

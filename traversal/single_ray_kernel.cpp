@@ -8,6 +8,8 @@
 
 #include "traversal/lane_ray-inl.h"
 #include "traversal/naive_kernel.h"
+#include "traversal/packet_load-inl.h"
+#include "traversal/packet_march-inl.h"
 #include "traversal/ray_walk.h"
 
 #include <array>
@@ -16,8 +18,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
 namespace HWY_NAMESPACE {
-
-enum class Wanted { closest, any };
 
 /// Remembers the last triangles that the current ray met, so that one in many cells is tested once.
 class RayMailbox {
@@ -38,31 +38,77 @@ private:
     std::array<std::uint64_t, 256> entries_{};
 };
 
+/// One ray on its way through the grid.
 template <Wanted wanted>
-DepthHit walk(const GridScene& scene, const glm::vec3& origin, const RayFrame& ray, RayMailbox& mailbox,
-              TraceReport& report) {
-    const LaneRay lane_ray(origin, ray);
-    DepthHit hit{.depth = ray.depth_max};
-    mailbox.next_ray();
-    for (RayWalk at(scene.grid, origin, ray); at.inside(); at.advance()) {
-        ++report.cells;
-        const std::uint32_t end = scene.grid.cell_begin[at.cell() + 1];
-        for (std::uint32_t i = scene.grid.cell_begin[at.cell()]; i < end; ++i) {
-            const std::uint32_t triangle = scene.grid.references[i];
-            if (!mailbox.first_meeting(triangle)) continue;
-            ++report.triangle_tests;
-            const float depth = lane_ray.meet_triangle(scene.triangles, triangle);
-            const bool begun = depth > ray.depth_min || (depth == ray.depth_min && triangle > ray.after);
-            if (!(begun && depth < ray.depth_max)) continue;
-            if (depth < hit.depth || (depth == hit.depth && triangle < hit.triangle)) {
-                hit = {.depth = depth, .triangle = triangle};
-            }
-            if (wanted == Wanted::any) return hit;
-        }
-        // A hit beyond this cell is kept, but a nearer one may wait in the cells between.
-        if (double(hit.depth) * (1.0 + depth_error) <= at.exit_depth()) break;
+class SingleWalk {
+public:
+    SingleWalk(const GridScene& scene, const glm::vec3& origin, const RayFrame& ray, RayMailbox& mailbox,
+               TraceReport& report)
+        : scene_(scene),
+          origin_(origin),
+          ray_(ray),
+          lane_ray_(origin, ray),
+          mailbox_(mailbox),
+          report_(report),
+          hit_{.depth = ray.depth_max} {
+        mailbox_.next_ray();
     }
-    return hit;
+
+    DepthHit run() {
+        (void)walk(0, 0);
+        return hit_;
+    }
+
+private:
+    /// @return whether nothing more is wanted
+    bool walk(std::size_t depth, std::size_t index) {
+        const rebuild::GridLevel& level = scene_.grid.levels[depth];
+        for (RayWalk at(level.grids[index], origin_, ray_); at.inside(); at.advance()) {
+            ++report_.cells;
+            const std::uint32_t end = level.cell_begin[at.cell() + 1];
+            for (std::uint32_t i = level.cell_begin[at.cell()]; i < end; ++i) {
+                const std::uint32_t reference = level.references[i];
+                if ((reference & rebuild::nested_mark) != 0) {
+                    if (walk(depth + 1, reference & ~rebuild::nested_mark)) return true;
+                    break;
+                }
+                if (mailbox_.first_meeting(reference) && meet(reference)) return true;
+            }
+            // A hit beyond this cell is kept, but a nearer one may wait in the cells between.
+            if (double(hit_.depth) * (1.0 + depth_error) <= at.exit_depth()) break;
+        }
+        return false;
+    }
+
+    /// @return whether nothing more is wanted
+    bool meet(std::uint32_t triangle) {
+        ++report_.triangle_tests;
+        const float depth = lane_ray_.meet_triangle(scene_.triangles, triangle);
+        const bool begun = depth > ray_.depth_min || (depth == ray_.depth_min && triangle > ray_.after);
+        if (!(begun && depth < ray_.depth_max)) return false;
+        if (depth < hit_.depth || (depth == hit_.depth && triangle < hit_.triangle)) {
+            hit_ = {.depth = depth, .triangle = triangle};
+        }
+        return wanted == Wanted::any;
+    }
+
+    const GridScene& scene_;
+    const glm::vec3 origin_;
+    const RayFrame& ray_;
+    LaneRay lane_ray_;
+    RayMailbox& mailbox_;
+    TraceReport& report_;
+    DepthHit hit_;
+};
+
+/// The ray as a packet of its own, whose width makes up for the rounding of corners as far away as its are.
+template <Wanted wanted>
+DepthHit march_alone(const GridScene& scene, const PacketSource& source, std::uint32_t ray, Axes axes,
+                     Packet& packet, Candidates& candidates, TraceReport& report) {
+    load_chosen(source, axes, {&ray, 1}, packet);
+    March<wanted>(scene, packet, candidates, report).run();
+    const bool hit = packet.depth[0] < packet.depth_max[0];
+    return {.depth = packet.depth[0], .triangle = hit ? packet.triangle[0] : no_triangle};
 }
 
 template <Wanted wanted, class Store>
@@ -70,9 +116,22 @@ TraceReport trace(const GridScene& scene, const RayBatch& rays, const ResumedRay
                   std::size_t end, const Store& store) {
     TraceReport report{.rays = end - begin};
     RayMailbox mailbox;
+    Packet packet;
+    Candidates candidates;
+    const PacketSource source(rays, resumed, nullptr);
     for (std::size_t i = begin; i < end; ++i) {
         const RayFrame ray = resumed.frame(rays, i);
-        store(i, ray, walk<wanted>(scene, rays.origin_of(i), ray, mailbox, report));
+        const glm::vec3 origin = rays.origin_of(i);
+        if (ray.hits_nothing() || scene.grid.empty() || !rebuild::is_traceable(origin)) {
+            store(i, ray, DepthHit{});
+            continue;
+        }
+        const rebuild::UniformGrid& top = scene.grid.top();
+        const bool far = farthest_offset(top.bounds, origin) * 0x1p-22 > top.least_slack;
+        store(i, ray,
+              far ? march_alone<wanted>(scene, source, static_cast<std::uint32_t>(i), ray.axes, packet,
+                                        candidates, report)
+                  : SingleWalk<wanted>(scene, origin, ray, mailbox, report).run());
     }
     return report;
 }

@@ -5,10 +5,12 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <new>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -37,15 +39,16 @@ Soup soup(std::uint32_t count, float size, std::uint32_t seed = 1) {
     return result;
 }
 
-/// The obvious way: for each cell, every triangle whose box comes near it.
-std::vector<std::vector<std::uint32_t>> lists_one_by_one(const Soup& soup, const Grid& grid) {
-    const CellMapping mapping(grid.bounds, grid.resolution);
+/// The obvious way: for each cell, every triangle of the list whose box comes near it.
+std::vector<std::vector<std::uint32_t>> lists_one_by_one(const Soup& soup, const UniformGrid& grid,
+                                                         const std::vector<std::uint32_t>& triangles) {
+    const CellMapping mapping(grid.bounds, grid.resolution, grid.least_slack);
     std::vector<std::vector<std::uint32_t>> lists(grid.cell_count());
     for (std::size_t cell = 0; cell < lists.size(); ++cell) {
         const auto x = cell % std::size_t(grid.resolution.x);
         const auto y = cell / std::size_t(grid.resolution.x) % std::size_t(grid.resolution.y);
         const auto z = cell / (std::size_t(grid.resolution.x) * std::size_t(grid.resolution.y));
-        for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
+        for (const std::uint32_t t : triangles) {
             const glm::uvec3& c = soup.triangles[t];
             const CellRange range =
                 mapping.cells_of(soup.positions[c.x], soup.positions[c.y], soup.positions[c.z]);
@@ -57,57 +60,131 @@ std::vector<std::vector<std::uint32_t>> lists_one_by_one(const Soup& soup, const
     return lists;
 }
 
+std::vector<std::uint32_t> numbers_below(std::size_t count) {
+    std::vector<std::uint32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    return numbers;
+}
+
 std::vector<std::uint32_t> copy(const Buffer<std::uint32_t>& buffer) {
     return {buffer.begin(), buffer.end()};
 }
 
+/// Everything a grid holds, level by level.
+std::vector<std::vector<std::uint32_t>> contents(const Grid& grid) {
+    std::vector<std::vector<std::uint32_t>> all;
+    for (const GridLevel& level : grid.levels) {
+        if (level.grids.empty()) break;
+        all.push_back(copy(level.cell_begin));
+        all.push_back(copy(level.references));
+        for (const UniformGrid& nested : level.grids) {
+            const auto bits = [](float v) { return std::bit_cast<std::uint32_t>(v); };
+            const glm::vec3 &low = nested.bounds.min, &high = nested.bounds.max;
+            all.push_back({bits(low.x), bits(low.y), bits(low.z), bits(high.x), bits(high.y), bits(high.z),
+                           std::uint32_t(nested.resolution.x), std::uint32_t(nested.resolution.y),
+                           std::uint32_t(nested.resolution.z), std::uint32_t(nested.first_cell)});
+        }
+    }
+    return all;
+}
+
+/// A crowd of small triangles in a corner of a large, coarse scene, half of it a crowd within the crowd.
+Soup crowd_in_a_corner(std::uint32_t count) {
+    Soup result = soup(200, 0.5f, 3);
+    for (glm::vec3& p : result.positions) p *= 100.0f;
+    Soup crowd = soup(count, 0.02f, 4);
+    for (std::size_t i = 0; i < crowd.positions.size() / 2; ++i) crowd.positions[i] *= 0.02f;
+    const auto first = static_cast<std::uint32_t>(result.positions.size());
+    result.positions.insert(result.positions.end(), crowd.positions.begin(), crowd.positions.end());
+    for (const glm::uvec3& t : crowd.triangles) result.triangles.push_back(t + first);
+    return result;
+}
+
+/// Checks a grid against lists made one by one, and the grids nested in it against theirs.
+/// @return how many grids there were
+std::size_t check_grid(const Soup& soup, const Grid& grid, std::size_t depth, std::size_t index,
+                       const std::vector<std::uint32_t>& triangles) {
+    const GridLevel& level = grid.levels[depth];
+    const UniformGrid& at = level.grids[index];
+    const auto expected = lists_one_by_one(soup, at, triangles);
+    std::size_t grids = 1;
+    for (std::size_t cell = 0; cell < expected.size(); ++cell) {
+        const std::uint32_t begin = level.cell_begin[at.first_cell + cell];
+        const std::uint32_t end = level.cell_begin[at.first_cell + cell + 1];
+        REQUIRE(end - begin == expected[cell].size());
+        if (end == begin) continue;
+        if ((level.references[begin] & nested_mark) == 0) {
+            REQUIRE(
+                std::equal(expected[cell].begin(), expected[cell].end(), level.references.begin() + begin));
+            continue;
+        }
+        REQUIRE(level.references[begin + 1] == end - begin);
+        grids += check_grid(soup, grid, depth + 1, level.references[begin] & ~nested_mark, expected[cell]);
+    }
+    return grids;
+}
+
 }  // namespace
+
+TEST_CASE("crowded cells become grids that list what the cell did", "[rebuild]") {
+    const Soup triangles = crowd_in_a_corner(20'000);
+    GridBuilder builder;
+    const BuildReport report = builder.rebuild(triangles.view());
+    CHECK(report.nested_grids > 1);
+    CHECK(check_grid(triangles, builder.grid(), 0, 0, numbers_below(triangles.triangles.size())) ==
+          1 + report.nested_grids);
+    CHECK_FALSE(builder.grid().levels[2].grids.empty());
+
+    GridBuilder flat({.nest_above = 0});
+    CHECK(flat.rebuild(triangles.view()).nested_grids == 0);
+    CHECK(flat.grid().levels[1].grids.empty());
+}
+
+TEST_CASE("triangles that all lie across each other are not nested", "[rebuild]") {
+    Soup triangles = crowd_in_a_corner(10);
+    const Soup heap = soup(3000, 1.0f, 5);
+    const auto first = static_cast<std::uint32_t>(triangles.positions.size());
+    triangles.positions.insert(triangles.positions.end(), heap.positions.begin(), heap.positions.end());
+    for (const glm::uvec3& t : heap.triangles) triangles.triangles.push_back(t + first);
+    GridBuilder builder;
+    const BuildReport report = builder.rebuild(triangles.view());
+    CHECK(report.references <= 8 * triangles.triangles.size());
+    CHECK(check_grid(triangles, builder.grid(), 0, 0, numbers_below(triangles.triangles.size())) ==
+          1 + report.nested_grids);
+}
 
 TEST_CASE("every cell lists its triangles in ascending order", "[rebuild]") {
     for (const float size : {0.001f, 0.1f, 0.7f}) {
         const Soup triangles = soup(400, size);
         GridBuilder builder({.lambda = 2.0f});
         builder.rebuild(triangles.view());
-        const Grid& grid = builder.grid();
-        const auto expected = lists_one_by_one(triangles, grid);
-        REQUIRE(grid.cell_begin.size() == expected.size() + 1);
-        REQUIRE(grid.cell_begin[0] == 0);
-        for (std::size_t cell = 0; cell < expected.size(); ++cell) {
-            const std::vector<std::uint32_t> list(grid.references.begin() + grid.cell_begin[cell],
-                                                  grid.references.begin() + grid.cell_begin[cell + 1]);
-            REQUIRE(list == expected[cell]);
-        }
+        const GridLevel& level = builder.grid().levels[0];
+        REQUIRE(level.cell_begin.size() == builder.grid().top().cell_count() + 1);
+        REQUIRE(level.cell_begin[0] == 0);
+        check_grid(triangles, builder.grid(), 0, 0, numbers_below(triangles.triangles.size()));
     }
 }
 
 TEST_CASE("the grid is byte-identical for any number of threads", "[rebuild]") {
-    const Soup triangles = soup(20'000, 0.05f);
-    std::vector<std::uint32_t> begin, references;
-    for (const int threads : {1, 2, 3, 8}) {
-        INFO(threads << " threads");
-        GridBuilder builder;
-        BuildReport report;
-        tbb::task_arena(threads).execute([&] { report = builder.rebuild(triangles.view()); });
-        if (threads == 1) {
-            begin = copy(builder.grid().cell_begin);
-            references = copy(builder.grid().references);
+    for (const Soup& triangles : {soup(20'000, 0.05f), crowd_in_a_corner(30'000)}) {
+        std::vector<std::vector<std::uint32_t>> first;
+        for (const int threads : {1, 2, 3, 8}) {
+            INFO(threads << " threads");
+            GridBuilder builder;
+            tbb::task_arena(threads).execute([&] { (void)builder.rebuild(triangles.view()); });
+            if (threads == 1) first = contents(builder.grid());
+            CHECK(contents(builder.grid()) == first);
         }
-        CHECK(copy(builder.grid().cell_begin) == begin);
-        CHECK(copy(builder.grid().references) == references);
-        CHECK(report.references == references.size());
-        CHECK(report.cells + 1 == begin.size());
     }
 }
 
 TEST_CASE("a rebuild forgets the frame before", "[rebuild]") {
-    const Soup first = soup(5000, 0.1f, 1), second = soup(700, 0.3f, 2);
+    const Soup first = crowd_in_a_corner(20'000), second = soup(700, 0.3f, 2);
     GridBuilder reused, fresh;
     reused.rebuild(first.view());
     reused.rebuild(second.view());
     fresh.rebuild(second.view());
-    CHECK(copy(reused.grid().cell_begin) == copy(fresh.grid().cell_begin));
-    CHECK(copy(reused.grid().references) == copy(fresh.grid().references));
-    CHECK(reused.grid().bounds == fresh.grid().bounds);
+    CHECK(contents(reused.grid()) == contents(fresh.grid()));
 }
 
 TEST_CASE("memory is kept from frame to frame", "[rebuild]") {
@@ -123,8 +200,7 @@ TEST_CASE("no triangles make an empty grid", "[rebuild]") {
     builder.rebuild(soup(10, 0.1f).view());
     const BuildReport report = builder.rebuild({});
     CHECK(report.cells == 0);
-    CHECK(builder.grid().cell_count() == 0);
-    CHECK(builder.grid().bounds.empty());
+    CHECK(builder.grid().empty());
 }
 
 TEST_CASE("triangles that cannot be traced are in no cell and do not stretch the box", "[rebuild]") {
@@ -140,8 +216,9 @@ TEST_CASE("triangles that cannot be traced are in no cell and do not stretch the
     triangles.triangles.emplace_back(good + 2, 1, 2);
     GridBuilder builder;
     builder.rebuild(triangles.view());
-    CHECK(builder.grid().bounds == clean.grid().bounds);
-    CHECK(*std::max_element(builder.grid().references.begin(), builder.grid().references.end()) == 49);
+    CHECK(builder.grid().top().bounds == clean.grid().top().bounds);
+    CHECK(*std::max_element(builder.grid().levels[0].references.begin(),
+                            builder.grid().levels[0].references.end()) == 49);
 }
 
 TEST_CASE("vertices that no triangle uses do not stretch the box", "[rebuild]") {
@@ -150,7 +227,7 @@ TEST_CASE("vertices that no triangle uses do not stretch the box", "[rebuild]") 
     clean.rebuild(triangles.view());
     triangles.positions.emplace_back(1e6f);
     builder.rebuild(triangles.view());
-    CHECK(builder.grid().bounds == clean.grid().bounds);
+    CHECK(builder.grid().top().bounds == clean.grid().top().bounds);
 }
 
 TEST_CASE("a buffer that cannot grow is empty, not wrong", "[rebuild]") {
@@ -172,8 +249,8 @@ TEST_CASE("triangles as large as the scene make the grid coarser, not endless", 
         tbb::task_arena(threads).execute([&] { report = builder.rebuild(triangles.view()); });
         CHECK(report.references <= 64 * triangles.triangles.size());
         CHECK(report.references >= triangles.triangles.size());
-        if (threads == 1) references = copy(builder.grid().references);
-        CHECK(copy(builder.grid().references) == references);
+        if (threads == 1) references = copy(builder.grid().levels[0].references);
+        CHECK(copy(builder.grid().levels[0].references) == references);
     }
 }
 
@@ -184,11 +261,11 @@ TEST_CASE("flat, tiny, huge and far scenes get cells of some size", "[rebuild]")
             for (glm::vec3& p : triangles.positions) p = (glm::vec3{p.x, 0.5f, p.z} + far) * scale;
             GridBuilder builder;
             const BuildReport report = builder.rebuild(triangles.view());
-            const glm::dvec3 size = builder.grid().cell_size;
+            const glm::dvec3 size = builder.grid().top().cell_size;
             CHECK((size.x > 0.0 && size.y > 0.0 && size.z > 0.0));
             CHECK(report.references >= 300);
             for (const glm::vec3& p : triangles.positions) {
-                const Bounds3& box = builder.grid().bounds;
+                const Bounds3& box = builder.grid().top().bounds;
                 CHECK((box.min.x < p.x && box.min.y < p.y && box.min.z < p.z && p.x < box.max.x &&
                        p.y < box.max.y && p.z < box.max.z));
             }

@@ -17,15 +17,15 @@ using traversal::RayWalk;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// A grid of 4 x 3 x 2 unit cells with its corner at the origin.
-rebuild::Grid unit_cells() {
-    rebuild::Grid grid;
+rebuild::UniformGrid unit_cells() {
+    rebuild::UniformGrid grid;
     grid.bounds = {.min = glm::vec3{0.0f}, .max = {4.0f, 3.0f, 2.0f}};
     grid.resolution = {4, 3, 2};
     grid.cell_size = glm::dvec3{1.0};
     return grid;
 }
 
-std::vector<std::size_t> cells_of(const rebuild::Grid& grid, const glm::vec3& origin,
+std::vector<std::size_t> cells_of(const rebuild::UniformGrid& grid, const glm::vec3& origin,
                                   const glm::vec3& direction, float t_max = infinity) {
     std::vector<std::size_t> cells;
     for (RayWalk walk(grid, origin, ray_frame(direction, 0.0f, t_max)); walk.inside(); walk.advance()) {
@@ -40,7 +40,7 @@ std::vector<std::size_t> cells_of(const rebuild::Grid& grid, const glm::vec3& or
 }  // namespace
 
 TEST_CASE("a walk visits the cells of its ray in order", "[traversal]") {
-    const rebuild::Grid grid = unit_cells();
+    const rebuild::UniformGrid grid = unit_cells();
     CHECK(cells_of(grid, {-1.0f, 0.5f, 0.5f}, {1.0f, 0.0f, 0.0f}) == std::vector<std::size_t>{0, 1, 2, 3});
     CHECK(cells_of(grid, {9.0f, 2.5f, 1.5f}, {-2.0f, 0.0f, 0.0f}) ==
           std::vector<std::size_t>{23, 22, 21, 20});
@@ -52,7 +52,7 @@ TEST_CASE("a walk visits the cells of its ray in order", "[traversal]") {
 }
 
 TEST_CASE("a walk that misses the grid visits nothing", "[traversal]") {
-    const rebuild::Grid grid = unit_cells();
+    const rebuild::UniformGrid grid = unit_cells();
     CHECK(cells_of(grid, {-1.0f, 0.5f, 0.5f}, {-1.0f, 0.0f, 0.0f}).empty());
     CHECK(cells_of(grid, {-1.0f, 3.5f, 0.5f}, {1.0f, 0.0f, 0.0f}).empty());
     CHECK(cells_of(grid, {-5.0f, 0.5f, 0.5f}, {1.0f, 0.0f, 0.0f}, 4.0f).empty());
@@ -60,7 +60,7 @@ TEST_CASE("a walk that misses the grid visits nothing", "[traversal]") {
 }
 
 TEST_CASE("a walk passes every cell that points of its ray lie in", "[traversal]") {
-    const rebuild::Grid grid = unit_cells();
+    const rebuild::UniformGrid grid = unit_cells();
     Random random(51);
     for (int i = 0; i < 2000; ++i) {
         const glm::vec3 origin = random.in_box(-3.0f, 6.0f), direction = random.on_sphere();

@@ -1,0 +1,166 @@
+#include "rebuild/level_sort.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace gridreel::rebuild {
+namespace {
+
+constexpr std::size_t chunk_limit = 16;               // private histograms cost chunks * cells
+constexpr std::size_t triangles_per_chunk = 1 << 13;  // fewer are not worth a histogram
+constexpr std::size_t cells_per_piece = 1 << 13;
+
+/// The k-th of `parts` equal parts of `count` things begins here.
+std::size_t part_begin(std::size_t count, std::size_t k, std::size_t parts) {
+    return count * k / parts;
+}
+
+}  // namespace
+
+void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
+    const auto threads = static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));
+    layouts_.resize(jobs.size());
+    chunks_.clear();
+    pieces_.clear();
+    std::size_t cells = 0, ranges = 0, histograms = 0;
+    for (std::size_t j = 0; j < jobs.size(); ++j) {
+        UniformGrid& grid = level.grids[j];
+        const std::size_t triangles = jobs[j].triangles.count;
+        Layout& layout = layouts_[j];
+        layout = {.first_range = ranges,
+                  .first_histogram = histograms,
+                  .chunks = std::clamp<std::size_t>(triangles / triangles_per_chunk, 1,
+                                                    std::min(threads, chunk_limit))};
+        const auto job = static_cast<std::uint32_t>(j);
+        for (std::size_t k = 0; k < layout.chunks; ++k) {
+            chunks_.push_back({.job = job,
+                               .begin = part_begin(triangles, k, layout.chunks),
+                               .end = part_begin(triangles, k + 1, layout.chunks),
+                               .histogram = histograms});
+            histograms += grid.cell_count();
+        }
+        grid.first_cell = cells;
+        const std::size_t pieces = (grid.cell_count() + cells_per_piece - 1) / cells_per_piece;
+        for (std::size_t k = 0; k < pieces; ++k) {
+            pieces_.push_back({.job = job,
+                               .begin = part_begin(grid.cell_count(), k, pieces),
+                               .end = part_begin(grid.cell_count(), k + 1, pieces)});
+        }
+        cells += grid.cell_count();
+        ranges += triangles;
+    }
+    ranges_.resize(ranges);
+    histograms_.resize(histograms);
+    level.cell_begin.resize(cells + 1);
+}
+
+void LevelSort::count(const TriangleView& triangles, std::span<GridJob> jobs, GridLevel& level) {
+    lay_out(jobs, level);
+    tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t k) {
+        Part& chunk = chunks_[k];
+        const GridJob& job = jobs[chunk.job];
+        const UniformGrid& grid = level.grids[chunk.job];
+        std::uint32_t* const histogram = histograms_.data() + chunk.histogram;
+        std::fill_n(histogram, grid.cell_count(), 0u);
+        chunk.references =
+            count_cells(triangles, job.triangles, chunk.begin, chunk.end,
+                        CellMapping(grid.bounds, grid.resolution, grid.least_slack),
+                        ranges_.data() + layouts_[chunk.job].first_range, histogram, job.reference_limit);
+    });
+    for (GridJob& job : jobs) job.references = 0;
+    for (const Part& chunk : chunks_) jobs[chunk.job].references += chunk.references;
+}
+
+bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
+    // How many references each piece holds, over all histograms of its grid.
+    const auto histograms_of = [&](const Part& piece, const auto& visit) {
+        const std::size_t cells = level.grids[piece.job].cell_count();
+        const Layout& layout = layouts_[piece.job];
+        for (std::size_t k = 0; k < layout.chunks; ++k) {
+            visit(histograms_.data() + layout.first_histogram + k * cells);
+        }
+    };
+    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
+        Part& piece = pieces_[k];
+        piece.references = 0;
+        if (jobs[piece.job].dropped) return;
+        histograms_of(piece, [&](const std::uint32_t* histogram) {
+            for (std::size_t c = piece.begin; c < piece.end; ++c) piece.references += histogram[c];
+        });
+    });
+    std::uint64_t total = 0;
+    for (Part& piece : pieces_) {
+        piece.first_slot = static_cast<std::uint32_t>(total);
+        total += piece.references;
+    }
+    if (total > std::numeric_limits<std::uint32_t>::max()) return false;
+
+    // cell_begin[c], and in each histogram the first slot of its chunk in cell c.
+    level.references.resize(total);
+    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
+        const Part& piece = pieces_[k];
+        std::uint32_t* const begins = level.cell_begin.data() + level.grids[piece.job].first_cell;
+        std::uint32_t next = piece.first_slot;
+        if (jobs[piece.job].dropped) {
+            std::fill(begins + piece.begin, begins + piece.end, next);
+            return;
+        }
+        const std::size_t cells = level.grids[piece.job].cell_count();
+        const Layout& layout = layouts_[piece.job];
+        std::uint32_t* const histograms = histograms_.data() + layout.first_histogram;
+        for (std::size_t c = piece.begin; c < piece.end; ++c) {
+            begins[c] = next;
+            for (std::size_t h = 0; h < layout.chunks; ++h) {
+                next += std::exchange(histograms[h * cells + c], next);
+            }
+        }
+    });
+    level.cell_begin[level.cell_begin.size() - 1] = static_cast<std::uint32_t>(total);
+    return true;
+}
+
+void LevelSort::scatter(std::span<const GridJob> jobs, GridLevel& level) {
+    tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t k) {
+        const Part& chunk = chunks_[k];
+        const GridJob& job = jobs[chunk.job];
+        if (job.dropped) return;
+        const CellRange* ranges = ranges_.data() + layouts_[chunk.job].first_range;
+        std::uint32_t* const next = histograms_.data() + chunk.histogram;
+        std::uint32_t* const references = level.references.data();
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+            const std::uint32_t triangle = job.triangles[i];
+            for_each_cell(ranges[i], level.grids[chunk.job].resolution,
+                          [&](std::size_t cell) { references[next[cell]++] = triangle; });
+        }
+    });
+}
+
+void LevelSort::find_crowded(const GridLevel& level, std::uint32_t limit, std::vector<CrowdedCell>& crowded) {
+    const auto visit = [&](const Part& piece, const auto& found) {
+        const std::size_t first = level.grids[piece.job].first_cell;
+        for (std::size_t c = first + piece.begin; c < first + piece.end; ++c) {
+            const std::uint32_t size = level.cell_begin[c + 1] - level.cell_begin[c];
+            if (size > limit) found(c);
+        }
+    };
+    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
+        pieces_[k].crowded = 0;
+        if (pieces_[k].references <= limit) return;
+        visit(pieces_[k], [&](std::size_t) { ++pieces_[k].crowded; });
+    });
+    std::size_t total = 0;
+    for (Part& piece : pieces_) total += std::exchange(piece.crowded, total);
+    crowded.resize(total);
+    if (total == 0) return;
+    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
+        if (pieces_[k].references <= limit) return;
+        std::size_t next = pieces_[k].crowded;
+        visit(pieces_[k], [&](std::size_t c) { crowded[next++] = {.grid = pieces_[k].job, .cell = c}; });
+    });
+}
+
+}  // namespace gridreel::rebuild

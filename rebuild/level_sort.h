@@ -1,0 +1,77 @@
+#pragma once
+// Triangles into the cells of many grids at once, by a parallel counting sort.
+
+#include "rebuild/cell_mapping.h"
+#include "rebuild/cell_range_kernel.h"
+#include "rebuild/grid.h"
+#include "rebuild/triangle_view.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gridreel::rebuild {
+
+/// One grid to fill.
+struct GridJob {
+    TriangleList triangles;
+    std::uint64_t reference_limit = 0;
+    std::uint64_t references = 0;  ///< counted; above the limit, some number above it
+    bool dropped = false;          ///< leave its cells empty
+
+    [[nodiscard]] bool over_limit() const { return references > reference_limit; }
+};
+
+/// A cell with so many references that it becomes a grid.
+struct CrowdedCell {
+    std::uint32_t grid = 0;  ///< of its level
+    std::size_t cell = 0;    ///< of its level
+};
+
+/// Fills the grids of one level: `count`, then `scan` and `scatter`. Large grids are cut into chunks of
+/// triangles, each with a histogram of its own; small ones are one chunk. Keeps its memory.
+///
+/// Chunks hold ascending triangles and own ascending slots of each cell, so the lists come out the same for
+/// any number of threads.
+class LevelSort {
+public:
+    /// Counts the references of every job.
+    /// @param level  its `grids` have bounds and resolutions, one per job; gets `first_cell`s and sizes
+    void count(const TriangleView& triangles, std::span<GridJob> jobs, GridLevel& level);
+
+    /// Turns counts into places.
+    /// @return false, and nothing done, if there are more references than 32 bits can number
+    [[nodiscard]] bool scan(std::span<const GridJob> jobs, GridLevel& level);
+
+    void scatter(std::span<const GridJob> jobs, GridLevel& level);
+
+    /// Cells of more than `limit` references in the level scattered last, ascending.
+    void find_crowded(const GridLevel& level, std::uint32_t limit, std::vector<CrowdedCell>& crowded);
+
+    [[nodiscard]] std::size_t bytes() const { return ranges_.bytes() + histograms_.bytes(); }
+
+private:
+    /// A chunk of a job's triangles, or a piece of a grid's cells.
+    struct Part {
+        std::uint32_t job = 0;
+        std::size_t begin = 0, end = 0;
+        std::size_t histogram = 0;     ///< of a chunk: where its counts begin
+        std::uint64_t references = 0;  ///< in it
+        std::uint32_t first_slot = 0;  ///< of a piece
+        std::size_t crowded = 0;       ///< cells of a piece, then how many in pieces before it
+    };
+    struct Layout {
+        std::size_t first_range = 0;  ///< of the job's triangles
+        std::size_t first_histogram = 0;
+        std::size_t chunks = 0;
+    };
+    void lay_out(std::span<const GridJob> jobs, GridLevel& level);
+
+    std::vector<Layout> layouts_;  ///< one per job
+    std::vector<Part> chunks_, pieces_;
+    Buffer<CellRange> ranges_;          ///< one per triangle of each job
+    Buffer<std::uint32_t> histograms_;  ///< of each chunk, one count per cell of its grid
+};
+
+}  // namespace gridreel::rebuild
