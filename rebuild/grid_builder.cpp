@@ -24,7 +24,7 @@ constexpr std::uint64_t nested_references_per_triangle_limit = 4;
 
 /// Of the whole scene: the rounding of corners as seen from some diagonals away, so that rays from there find
 /// them in their cells, however small the cells of nested grids are.
-constexpr double slack_per_diagonal = 0x1p-20;
+constexpr double slack_per_diagonal = 0x1p-22;
 
 /// Milliseconds since the last call.
 class PhaseTimer {

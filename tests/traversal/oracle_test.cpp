@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <glm/geometric.hpp>
+
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -36,6 +38,7 @@ std::vector<Triangles> nasty_triangles() {
             boxes(6),
             degenerate(1000),
             teapot_in_stadium(),
+            crowds_in_crowds(),
             scaled(soup(400, 0.2f), 1e6f, {3e6f, -2e6f, 5e6f}),
             scaled(soup(400, 0.2f), 1e-6f, {}),
             scaled(sheet(16), 1.0f, {1000.0f, 2000.0f, 3000.0f})};
@@ -160,10 +163,39 @@ TEST_CASE("rays that go on behind what they hit meet every triangle once, neares
     }
 }
 
+TEST_CASE("crowded cells really are nested in these tests", "[traversal]") {
+    const Triangles triangles = crowds_in_crowds();
+    const auto report = make_tracer({})->rebuild(triangles.view());
+    CHECK(report.nested_grids >= 3);
+}
+
+TEST_CASE("rays from a thousand diagonals away find the triangles in their small cells",
+          "[traversal][oracle]") {
+    for (const Triangles& triangles : {sheet(120), crowds_in_crowds()}) {
+        const auto box = finite_bounds(triangles);
+        const glm::vec3 middle = 0.5f * (box.min + box.max);
+        const float diagonal = glm::length(box.extent());
+        const RayBatch rays =
+            pinhole(middle + diagonal * glm::vec3{300.0f, 500.0f, 800.0f}, middle, 0.0005f, 64);
+        HitBatch expected, actual;
+        const auto oracle = make_tracer({.kind = TracerKind::naive, .resolution = {}});
+        oracle->rebuild(triangles.view());
+        oracle->closest_hits(rays, expected);
+        for (const TracerKind kind : {TracerKind::grid, TracerKind::grid_single}) {
+            const auto tracer = make_tracer({.kind = kind, .resolution = {.lambda = 20.0f}});
+            tracer->rebuild(triangles.view());
+            tracer->closest_hits(rays, actual);
+            INFO(triangles.name << ", " << name_of(kind));
+            CHECK(first_difference(expected, actual) == "");
+        }
+    }
+}
+
 TEST_CASE("the answer does not depend on lambda", "[traversal][oracle]") {
     for (const float lambda : {0.01f, 0.4f, 20.0f, 500.0f}) {
         check_against_oracle(soup(700, 0.15f), 600, lambda);
         check_against_oracle(boxes(4), 600, lambda);
+        check_against_oracle(crowds_in_crowds(), 600, lambda);
     }
 }
 

@@ -190,6 +190,18 @@ Triangles teapot_in_stadium() {
     return result;
 }
 
+Triangles crowds_in_crowds() {
+    Triangles result = soup(150, 0.05f);
+    for (int depth = 0; depth < 3; ++depth) {
+        const Triangles inner = soup(500, 0.1f);
+        result = scaled(std::move(result), 30.0f, {});
+        for (const glm::uvec3& t : inner.triangles)
+            result.add(inner.positions[t.x], inner.positions[t.y], inner.positions[t.z]);
+    }
+    result.name = "crowds in crowds";
+    return result;
+}
+
 Triangles scaled(Triangles triangles, float factor, const glm::vec3& shift) {
     for (glm::vec3& p : triangles.positions) p = p * factor + shift;
     return triangles;
