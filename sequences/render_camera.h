@@ -31,6 +31,7 @@ public:
 
     [[nodiscard]] engine::View view(const anim::Pose& pose) const;
     [[nodiscard]] std::string_view name() const { return name_; }  ///< the node's; "fit" without one
+    [[nodiscard]] double aspect() const { return double(width_) / height_; }  ///< of the picture
 
 private:
     const anim::Scene& scene_;

@@ -40,6 +40,7 @@ ExitCode bake(const BakeText& text, Console& console) {
     const sequences::BakeJob job = read_job(text);
     const sequences::BakeReports reports{
         .warning = [&](std::string_view warning) { console.warning(warning); },
+        .note = [&](std::string_view note) { console.note(note); },
         .frame_done =
             [&](sequences::Frame frame, const std::filesystem::path& file, std::size_t done,
                 std::size_t total) {
