@@ -203,3 +203,13 @@ TEST_CASE("what is no camera file is replaced, with a note", "[cli][bake]") {
         CHECK(note_about(content).find("it is no camera file") != std::string::npos);
     }
 }
+
+TEST_CASE("what is baked does not depend on the number of threads", "[cli][bake]") {
+    const ScratchFolder one, several;
+    for (const ScratchFolder* folder : {&one, &several}) write_tiny_scene(folder->path());
+    bake_tiny(one, {"-f", "0-3", "-j", "1"});
+    bake_tiny(several, {"-f", "0-3", "--threads", "3"});
+    CHECK(one.names() == several.names());
+    for (const std::string& name : one.names()) CHECK(bytes_of(one / name) == bytes_of(several / name));
+    CHECK(run_gridreel({"bake", "tiny.gltf", "-j", "0"}, {.folder = one.path()}).exit_code == 2);
+}
