@@ -3,11 +3,11 @@
 #include "anim/frame_geometry.h"
 #include "anim/load.h"
 #include "anim/pose.h"
+#include "engine/render_camera.h"
 #include "sequences/camera_file.h"
 #include "sequences/errors.h"
 #include "sequences/fingerprint.h"
 #include "sequences/ply.h"
-#include "sequences/render_camera.h"
 #include "sequences/whole_file.h"
 
 #include <fmt/format.h>
@@ -40,7 +40,8 @@ BakeResult bake(const BakeJob& job, const BakeReports& reports, const std::atomi
     }
     const anim::Clip clip = choose_clip(scene, job.take);
     const std::vector<Frame> frames = choose_frames(job.take, clip, job.output);
-    const RenderCamera camera(scene, clip, job.camera, job.width, job.height);
+    check_camera(scene, clip, job.camera);
+    const engine::RenderCamera camera(scene, clip, job.camera, job.width, job.height);
     make_folder(job.output.folder());
 
     BakeResult result;
