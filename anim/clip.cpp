@@ -2,11 +2,11 @@
 
 #include "anim/error.h"
 #include "anim/node_order.h"
+#include "anim/parse_number.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 #include <set>
 #include <string>
@@ -14,14 +14,6 @@
 
 namespace gridreel::anim {
 namespace {
-
-/// A whole number from 0, and nothing else, or nothing.
-std::optional<std::size_t> number_in(std::string_view text) {
-    std::size_t number = 0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return number;
-}
 
 std::string names_of(const std::vector<Animation>& animations) {
     if (animations.empty()) return "the file has no animations: leave the option out";
@@ -63,7 +55,7 @@ std::vector<Index> choose_animations(const std::vector<Animation>& animations, s
     const auto named = std::find_if(animations.begin(), animations.end(),
                                     [&](const Animation& animation) { return animation.name == choice; });
     if (named != animations.end()) return {static_cast<Index>(named - animations.begin())};
-    if (const auto number = number_in(choice); number && *number < animations.size()) {
+    if (const auto number = parse_number<std::size_t>(choice); number && *number < animations.size()) {
         return {static_cast<Index>(*number)};
     }
     throw Error(fmt::format("no animation \"{}\"", choice), "--animation", names_of(animations));

@@ -7,6 +7,7 @@
 #include "anim/gltf/read_animations.h"
 #include "anim/gltf/read_images.h"
 #include "anim/gltf/read_meshes.h"
+#include "anim/gltf/undrawn_looks.h"
 #include "anim/gltf/validate.h"
 
 #include <utility>
@@ -34,6 +35,7 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& 
     validate(document);
 
     Scene scene = describe_scene(document);
+    warn_of_undrawn_looks(document);
     scene.name = file.stem().string();
     scene.meshes = read_meshes(document);
     scene.animations = read_animations(document);

@@ -1,11 +1,11 @@
 #include "engine/choose_camera.h"
 
 #include "anim/error.h"
+#include "anim/parse_number.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -33,13 +33,6 @@ std::string list(const anim::Scene& scene, const std::vector<anim::Index>& nodes
     return text;
 }
 
-std::optional<std::size_t> number(std::string_view text) {
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
 }  // namespace
 
 std::optional<anim::Index> choose_camera(const anim::Scene& scene, const anim::Clip& clip,
@@ -54,7 +47,9 @@ std::optional<anim::Index> choose_camera(const anim::Scene& scene, const anim::C
     const auto by_camera_name =
         std::ranges::find_if(nodes, [&](anim::Index node) { return camera_name(scene, node) == choice; });
     if (by_camera_name != nodes.end()) return *by_camera_name;
-    if (const auto n = number(choice); n && *n < nodes.size()) return nodes[*n];
+    if (const auto number = parse_number<std::size_t>(choice); number && *number < nodes.size()) {
+        return nodes[*number];
+    }
 
     throw Error(fmt::format("there is no camera \"{}\"", choice), "--camera", list(scene, nodes));
 }

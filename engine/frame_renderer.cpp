@@ -4,12 +4,10 @@
 #include "anim/frame_geometry.h"
 #include "anim/pose.h"
 #include "engine/band.h"
-#include "engine/camera.h"
-#include "engine/choose_camera.h"
 #include "engine/choose_lights.h"
-#include "engine/fitting_view.h"
 #include "engine/notes.h"
 #include "engine/pixel_order.h"
+#include "engine/render_camera.h"
 #include "engine/stopwatch.h"
 #include "engine/textures.h"
 
@@ -35,12 +33,6 @@ void check(const RenderSettings& settings) {
     require(std::isfinite(settings.exposure_stops), "exposure must be finite");
 }
 
-std::int32_t height_of(const RenderSettings& settings, double aspect) {
-    if (settings.height) return *settings.height;
-    return static_cast<std::int32_t>(
-        std::clamp(std::round(settings.width / aspect), 1.0, double(largest_picture)));
-}
-
 /// How many pixels fit a band's rays; whole tiles where possible, so that packets stay square.
 std::size_t pixels_per_band(const RenderSettings& settings) {
     constexpr auto tile_pixels = static_cast<std::size_t>(tile_size) * static_cast<std::size_t>(tile_size);
@@ -57,22 +49,21 @@ struct FrameRenderer::State {
           clip(std::move(clip_of_scene)),
           settings(wishes),
           textures(scene),
-          camera_node(choose_camera(scene, clip, settings.camera)),
-          height(height_of(settings, preferred_aspect(scene, camera_node))),
-          order(pixel_order(settings.width, height)),
+          camera(scene, clip, settings.camera, settings.width, settings.height),
+          order(pixel_order(camera.width(), camera.height())),
           pattern{.samples = settings.samples, .seed = settings.seed},
           geometry(anim::lay_out(scene, clip)),
           cut_outs(has_cut_outs(scene, geometry)),
           tracer(traversal::make_tracer(settings.tracer)) {
         choose_lights();
         notes = notes_on_looks(scene, geometry, textures);
-        if (settings.camera == "auto" && !camera_node) {
+        if (settings.camera == "auto" && camera.clip_box()) {
             notes.emplace_back("no camera in the scene: framing the whole clip from the front");
         }
         if (default_lights && settings.lights == LightChoice::automatic) {
             notes.emplace_back("no light in the scene: lit by the default dome and key light");
         }
-        if (!camera_node || default_lights) measure_clip();
+        if (camera.clip_box() || default_lights) measure_clip();
     }
 
     void choose_lights() {
@@ -82,21 +73,13 @@ struct FrameRenderer::State {
     }
 
     void measure_clip() {
-        const anim::Box found = anim::clip_bounds(scene, clip);
+        const anim::Box found = camera.clip_box() ? *camera.clip_box() : anim::clip_bounds(scene, clip);
         if (found.empty()) {
             notes.emplace_back("no triangles in the scene: pictures show the background only");
             clip_box.extend(glm::vec3(0.0f));
         } else {
             clip_box = found;
         }
-    }
-
-    [[nodiscard]] View view_in(const anim::Pose& pose) const {
-        if (!camera_node) {
-            return fitting_view(glm::dvec3(clip_box.min), glm::dvec3(clip_box.max), settings.width, height);
-        }
-        return view_of(pose.cameras[*scene.nodes[*camera_node].camera], pose.world[*camera_node],
-                       settings.width, height);
     }
 
     [[nodiscard]] Lighting lighting_in(const anim::Pose& pose) const {
@@ -109,8 +92,7 @@ struct FrameRenderer::State {
     anim::Clip clip;
     RenderSettings settings;
     Textures textures;
-    std::optional<anim::Index> camera_node;
-    std::int32_t height = 0;
+    RenderCamera camera;
     std::vector<Pixel> order;
     SamplePattern pattern;
     std::vector<anim::Index> lights;
@@ -151,7 +133,7 @@ FrameReport FrameRenderer::render(double time_s, Film& film) {
     // Trace and shade, band by band.
     const Stopwatch making_pixels;
     const PosedScene posed{.geometry = s.geometry, .pose = pose, .textures = s.textures};
-    const View view = s.view_in(pose);
+    const View view = s.camera.view(pose);
     const Lighting lighting = s.lighting_in(pose);
     const Frame frame{.scene = posed,
                       .view = view,
@@ -161,7 +143,7 @@ FrameReport FrameRenderer::render(double time_s, Film& film) {
                       .background = s.settings.background,
                       .exposure = std::exp2(s.settings.exposure_stops),
                       .cut_outs = s.cut_outs};
-    film.resize(s.settings.width, s.height);
+    film.resize(s.camera.width(), s.camera.height());
     const std::size_t step = pixels_per_band(s.settings);
     for (std::size_t first = 0; first < s.order.size(); first += step) {
         const auto pixels = std::span(s.order).subspan(first, std::min(step, s.order.size() - first));
@@ -177,11 +159,11 @@ FrameReport FrameRenderer::render(double time_s, Film& film) {
 }
 
 std::int32_t FrameRenderer::width() const {
-    return state_->settings.width;
+    return state_->camera.width();
 }
 
 std::int32_t FrameRenderer::height() const {
-    return state_->height;
+    return state_->camera.height();
 }
 
 const std::vector<std::string>& FrameRenderer::notes() const {

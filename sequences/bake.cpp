@@ -3,44 +3,21 @@
 #include "anim/frame_geometry.h"
 #include "anim/load.h"
 #include "anim/pose.h"
+#include "engine/render_camera.h"
+#include "sequences/camera_file.h"
 #include "sequences/errors.h"
+#include "sequences/fingerprint.h"
 #include "sequences/ply.h"
-#include "sequences/render_camera.h"
 #include "sequences/whole_file.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <span>
-#include <utility>
+#include <string>
 #include <vector>
 
 namespace gridreel::sequences {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json to_json(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-
-Json to_json(const engine::View& view, Frame frame, double time_s) {
-    const bool perspective = view.kind == anim::Camera::Kind::perspective;
-    Json json{{"frame", frame},
-              {"time_s", time_s},
-              {"kind", perspective ? "perspective" : "orthographic"},
-              {"eye", to_json(view.eye)},
-              {"forward", to_json(view.forward)},
-              {"up", to_json(view.up)}};
-    if (perspective) {
-        json["fov_y_rad"] = 2.0 * std::atan(view.half_height);
-    } else {
-        json["half_height_m"] = view.half_height;
-    }
-    json["aspect"] = view.half_width / view.half_height;
-    return json;
-}
 
 void check_bake(const BakeJob& job) {
     if (job.output.extension() != ".ply") {
@@ -63,12 +40,13 @@ BakeResult bake(const BakeJob& job, const BakeReports& reports, const std::atomi
     }
     const anim::Clip clip = choose_clip(scene, job.take);
     const std::vector<Frame> frames = choose_frames(job.take, clip, job.output);
-    const RenderCamera camera(scene, clip, job.camera, job.width, job.height);
+    check_camera(scene, clip, job.camera);
+    const engine::RenderCamera camera(scene, clip, job.camera, job.width, job.height);
     make_folder(job.output.folder());
 
     BakeResult result;
     result.cameras = camera_file(job);
-    Json views = Json::array();
+    std::vector<BakedView> views;
     anim::FrameGeometry geometry = anim::lay_out(scene, clip);
     for (const Frame frame : frames) {
         result.interrupted = stop.load();
@@ -81,13 +59,18 @@ BakeResult bake(const BakeJob& job, const BakeReports& reports, const std::atomi
         write_ply(geometry.positions,
                   job.normals ? std::span<const glm::vec3>(geometry.normals) : std::span<const glm::vec3>(),
                   geometry.triangles, file);
-        views.push_back(to_json(camera.view(pose), frame, time_s));
+        views.push_back({.frame = frame, .time_s = time_s, .view = camera.view(pose)});
         ++result.frames;
         reports.frame_done(frame, file, result.frames, frames.size());
     }
-    const Json cameras{
-        {"schema", "gridreel.cameras/1"}, {"camera", camera.name()}, {"frames", std::move(views)}};
-    write_whole_file(result.cameras, cameras.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
+    const CameraFileHead head{.camera = std::string(camera.name()),
+                              .aspect = camera.aspect(),
+                              .scene_sha256 = scene_sha256(job.take.scene_file),
+                              .scene = clip.scene,
+                              .animations = clip.animations,
+                              .rate = job.take.rate};
+    const std::string dropped = write_camera_file(result.cameras, head, views);
+    if (!dropped.empty()) reports.note(dropped);
     return result;
 }
 

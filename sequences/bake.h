@@ -26,6 +26,7 @@ struct BakeJob {
 /// Told how a bake goes.
 struct BakeReports {
     std::function<void(std::string_view)> warning;  ///< of the scene, as soon as it is loaded
+    std::function<void(std::string_view)> note;     ///< what the bake decided on its own
 
     /// After each frame: its number, its file, frames done, frames in all.
     std::function<void(Frame, const std::filesystem::path&, std::size_t, std::size_t)> frame_done;
@@ -40,10 +41,9 @@ struct BakeResult {
 /// Where the camera of every frame is written: `SCENE.cameras.json` beside the meshes.
 [[nodiscard]] std::filesystem::path camera_file(const BakeJob& job);
 
-/// Writes one PLY per frame, world space, in the order `anim::lay_out` gives; then the camera file:
-/// `{"schema": "gridreel.cameras/1", "camera": name, "frames": [{"frame", "time_s", "kind", "eye",
-/// "forward", "up", "fov_y_rad" (perspective) or "half_height_m" (orthographic), "aspect"}, …]}`.
-/// Normals are those of the file's vertices, zero where it has none.
+/// Writes one PLY per frame, world space, in the order `anim::lay_out` gives; then the camera file
+/// (camera_file.h), in which frames that the same bake wrote earlier stay. Normals are those of the file's
+/// vertices, zero where it has none.
 ///
 /// @throws UsageError, OutputError, Error as `run_job` does
 BakeResult bake(const BakeJob& job, const BakeReports& reports, const std::atomic<bool>& stop);

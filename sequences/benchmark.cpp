@@ -1,7 +1,6 @@
 #include "sequences/benchmark.h"
 
 #include "anim/load.h"
-#include "sequences/render_camera.h"
 #include "sequences/timing_table.h"
 
 #include <fmt/format.h>
@@ -80,7 +79,7 @@ std::vector<Competitor> run_benchmark(const BenchmarkPlan& plan,
     const anim::Scene scene = anim::load(plan.take.scene_file);
     const anim::Clip clip = choose_clip(scene, plan.take);
     const std::vector<Frame> frames = choose_frames(plan.take, clip, FramePattern("none.####.exr"));
-    (void)find_camera(scene, clip, plan.render.camera);
+    check_camera(scene, clip, plan.render.camera);
 
     // One renderer for each, so that each keeps its own memory from frame to frame.
     std::vector<Competitor> competitors;

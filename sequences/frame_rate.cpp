@@ -1,11 +1,11 @@
 #include "sequences/frame_rate.h"
 
+#include "anim/parse_number.h"
 #include "sequences/errors.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -14,11 +14,8 @@ namespace gridreel::sequences {
 namespace {
 
 std::optional<double> positive_number(std::string_view text) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    if (!std::isfinite(value) || value <= 0.0) return std::nullopt;
-    return value;
+    const auto number = parse_number<double>(text);
+    return number && std::isfinite(*number) && *number > 0.0 ? number : std::nullopt;
 }
 
 }  // namespace

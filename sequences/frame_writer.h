@@ -15,6 +15,9 @@
 
 namespace gridreel::sequences {
 
+/// Films of a job: one renders, one is written, one waits.
+inline constexpr std::size_t films_in_flight = 3;
+
 /// A frame on its way from the renderer to its file.
 struct RenderedFrame {
     FrameRecord record;

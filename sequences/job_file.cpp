@@ -1,12 +1,12 @@
 #include "sequences/job_file.h"
 
+#include "anim/parse_number.h"
 #include "sequences/errors.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -114,11 +114,8 @@ std::string read_scalar(Reader& reader) {
 
     // TOML allows 1_000.
     std::erase(word, '_');
-    double number = 0.0;
-    const char* const begin = word.data() + (word.starts_with('+') ? 1 : 0);
-    const char* const end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(begin, end, number);
-    if (begin == end || error != std::errc{} || stop != end) {
+    const std::string_view unsigned_word = std::string_view(word).substr(word.starts_with('+') ? 1 : 0);
+    if (!parse_number<double>(unsigned_word)) {
         reader.fail(word.empty() ? fmt::format("a value cannot begin with '{}'", reader.peek())
                                  : fmt::format("'{}' is not a number; strings stand in quotes", word));
     }

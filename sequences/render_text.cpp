@@ -1,5 +1,6 @@
 #include "sequences/render_text.h"
 
+#include "anim/parse_number.h"
 #include "engine/srgb.h"
 #include "sequences/errors.h"
 
@@ -12,14 +13,6 @@
 
 namespace gridreel::sequences {
 namespace {
-
-template <class Number>
-std::optional<Number> number(std::string_view text) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
 
 bool is_side(std::optional<std::int32_t> side) {
     return side && *side >= 1 && *side <= max_picture_side;
@@ -45,7 +38,7 @@ std::optional<glm::vec4> parse_numbers(std::string_view text) {
     std::vector<float> numbers;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t comma = std::min(text.find(',', begin), text.size());
-        const auto value = number<float>(text.substr(begin, comma - begin));
+        const auto value = parse_number<float>(text.substr(begin, comma - begin));
         if (!value || !std::isfinite(*value) || *value < 0.0f) return std::nullopt;
         numbers.push_back(*value);
         begin = comma + 1;
@@ -60,8 +53,8 @@ std::optional<glm::vec4> parse_numbers(std::string_view text) {
 PictureSize parse_size(std::string_view text) {
     const std::size_t x = text.find('x');
     if (x != std::string_view::npos) {
-        const auto width = number<std::int32_t>(text.substr(0, x));
-        const auto height = number<std::int32_t>(text.substr(x + 1));
+        const auto width = parse_number<std::int32_t>(text.substr(0, x));
+        const auto height = parse_number<std::int32_t>(text.substr(x + 1));
         const bool from_aspect = x + 1 == text.size();
         if (is_side(width) && (from_aspect || is_side(height))) return {.width = *width, .height = height};
     }
@@ -82,7 +75,7 @@ glm::vec4 parse_background(std::string_view text) {
 float parse_lambda(std::string_view text, float automatic) {
     if (text == "auto") return automatic;
     if (text == "paper") return 5.0f;
-    const auto value = number<float>(text);
+    const auto value = parse_number<float>(text);
     if (value && std::isfinite(*value) && *value > 0.0f) return *value;
     throw UsageError(fmt::format("'{}' is not a number of cells per triangle", text), "--lambda",
                      "give a number above 0, paper, or auto");

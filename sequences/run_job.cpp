@@ -8,7 +8,6 @@
 #include "sequences/frame_writer.h"
 #include "sequences/image_writer.h"
 #include "sequences/picture.h"
-#include "sequences/render_camera.h"
 #include "sequences/whole_file.h"
 #include "traversal/simd_target.h"
 
@@ -24,8 +23,6 @@ namespace gridreel::sequences {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr std::size_t films_in_flight = 3;  // one renders, one is written, one waits
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -120,7 +117,7 @@ JobResult run_job(const Job& job, JobObserver& observer, const std::atomic<bool>
         observer.warning(fmt::format("{}: {}", warning.where, warning.text));
     const anim::Clip clip = choose_clip(scene, job.take);
     const std::vector<Frame> frames = choose_frames(job.take, clip, job.output);
-    (void)find_camera(scene, clip, job.render.camera);  // whose absence is a usage error
+    check_camera(scene, clip, job.render.camera);
     engine::FrameRenderer renderer(scene, clip, job.render);
     make_folder(job.output.folder());
     FrameLog log(job.log);

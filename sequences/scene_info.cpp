@@ -3,6 +3,7 @@
 #include "anim/frame_geometry.h"
 #include "anim/load.h"
 #include "sequences/fingerprint.h"
+#include "sequences/thread_count.h"
 
 #include <algorithm>
 
@@ -87,7 +88,10 @@ SceneInfo inspect(const Take& take) {
     for (const anim::Mesh& mesh : scene.meshes) info.morph_targets += mesh.weights.size();
     for (const anim::Material& material : scene.materials) info.materials.push_back(material.name);
     list_nodes(scene, clip, info);
-    count_triangles(anim::lay_out(scene, clip), info);
+    const anim::FrameGeometry geometry = anim::lay_out(scene, clip);
+    count_triangles(geometry, info);
+    info.threads = allowed_threads();
+    info.memory = estimate_memory(scene, geometry, info.bounds, info.settings, info.threads);
     return info;
 }
 

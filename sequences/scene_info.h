@@ -3,6 +3,8 @@
 
 #include "anim/clip_bounds.h"
 #include "anim/scene.h"
+#include "engine/frame_renderer.h"
+#include "sequences/memory_estimate.h"
 #include "sequences/take.h"
 
 #include <cstddef>
@@ -46,6 +48,9 @@ struct SceneInfo {
     std::vector<std::string> extensions_used;
     std::vector<std::string> extensions_required;
     std::vector<anim::Warning> warnings;
+    engine::RenderSettings settings;  ///< that `memory` is for: the defaults
+    int threads = 1;                  ///< likewise: all that this process may use
+    MemoryEstimate memory;
 };
 
 /// Loads the file and looks at the clip chosen; `take.frames` does not matter.

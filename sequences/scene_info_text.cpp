@@ -50,6 +50,37 @@ Json to_json(const std::vector<PlacedInfo>& list) {
     return json;
 }
 
+void memory_line(std::string& page, const SceneInfo& info) {
+    const MemoryEstimate& memory = info.memory;
+    const auto mebibytes = [](std::size_t bytes) { return (bytes + (1u << 20) - 1) >> 20; };
+    line(page, "memory",
+         "about {} MiB to render {}x{}: program {}, scene {}, geometry {}, textures {}, grid {}, films {}, "
+         "rays {} (assuming {:.2g} references a triangle)",
+         mebibytes(memory.total()), info.settings.width, info.settings.height.value(),
+         mebibytes(memory.program), mebibytes(memory.scene), mebibytes(memory.geometry),
+         mebibytes(memory.textures), mebibytes(memory.grid), mebibytes(memory.films), mebibytes(memory.rays),
+         memory.references_per_triangle);
+}
+
+/// Bytes, and what was assumed.
+Json memory_json(const SceneInfo& info) {
+    const MemoryEstimate& memory = info.memory;
+    return {{"total", memory.total()},
+            {"program", memory.program},
+            {"scene", memory.scene},
+            {"geometry", memory.geometry},
+            {"textures", memory.textures},
+            {"grid", memory.grid},
+            {"films", memory.films},
+            {"rays", memory.rays},
+            {"assumed",
+             {{"size", {info.settings.width, info.settings.height.value()}},
+              {"spp", info.settings.samples},
+              {"lambda", info.settings.tracer.resolution.lambda},
+              {"references_per_triangle", memory.references_per_triangle},
+              {"threads", info.threads}}}};
+}
+
 Json to_json(const anim::Box& box) {
     if (box.empty()) return nullptr;
     return {{"min", {box.min.x, box.min.y, box.min.z}}, {"max", {box.max.x, box.max.y, box.max.z}}};
@@ -86,6 +117,7 @@ std::string to_text(const SceneInfo& info) {
     line(page, "materials", "{}", names(info.materials));
     line(page, "extensions", "used {}; required {}", names(info.extensions_used),
          names(info.extensions_required));
+    memory_line(page, info);
     for (const anim::Warning& warning : info.warnings)
         line(page, "warning", "{}: {}", warning.where, warning.text);
     return page;
@@ -126,6 +158,7 @@ std::string to_json_text(const SceneInfo& info) {
                     {"materials", info.materials},
                     {"extensions_used", info.extensions_used},
                     {"extensions_required", info.extensions_required},
+                    {"memory_estimate", memory_json(info)},
                     {"warnings", std::move(warnings)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

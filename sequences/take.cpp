@@ -1,5 +1,6 @@
 #include "sequences/take.h"
 
+#include "engine/choose_camera.h"
 #include "sequences/errors.h"
 
 #include <fmt/format.h>
@@ -28,6 +29,14 @@ std::vector<Frame> whole_clip(double duration_s, const FrameRate& rate) {
 anim::Clip choose_clip(const anim::Scene& scene, const Take& take) {
     try {
         return anim::choose_clip(scene, take.animation, take.scene);
+    } catch (const Error& error) {
+        throw UsageError(error.what(), "");
+    }
+}
+
+void check_camera(const anim::Scene& scene, const anim::Clip& clip, std::string_view choice) {
+    try {
+        (void)engine::choose_camera(scene, clip, choice);
     } catch (const Error& error) {
         throw UsageError(error.what(), "");
     }

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gridreel::sequences {
@@ -26,6 +27,11 @@ struct Take {
 /// `anim::choose_clip`, but a name that the file does not have is the caller's mistake.
 /// @throws UsageError
 [[nodiscard]] anim::Clip choose_clip(const anim::Scene& scene, const Take& take);
+
+/// Refuses a camera that the file does not have before anything is made for it.
+/// @param choice  as `engine::RenderSettings::camera`
+/// @throws UsageError
+void check_camera(const anim::Scene& scene, const anim::Clip& clip, std::string_view choice);
 
 /// The frames asked for, or 0 to the clip's last.
 /// @throws UsageError when there are several and `output` has no place for a number, or when the whole

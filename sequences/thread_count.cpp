@@ -1,9 +1,10 @@
 #include "sequences/thread_count.h"
 
+#include "anim/parse_number.h"
+
 #include <sched.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -60,15 +61,10 @@ std::optional<int> group_quota() {
 std::optional<int> cpu_quota(std::string_view cpu_max) {
     const std::size_t space = cpu_max.find(' ');
     if (space == std::string_view::npos) return std::nullopt;
-    const auto number = [](std::string_view text) {
-        double value = 0.0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        return error == std::errc{} && end == text.data() + text.size() ? value : 0.0;
-    };
-    const double quota = number(cpu_max.substr(0, space));
-    const double period = number(cpu_max.substr(space + 1));
-    if (!(quota > 0.0) || !(period > 0.0)) return std::nullopt;
-    return static_cast<int>(std::clamp(std::ceil(quota / period), 1.0, 1e6));
+    const auto quota = parse_number<double>(cpu_max.substr(0, space));
+    const auto period = parse_number<double>(cpu_max.substr(space + 1));
+    if (!quota || !period || !(*quota > 0.0) || !(*period > 0.0)) return std::nullopt;
+    return static_cast<int>(std::clamp(std::ceil(*quota / *period), 1.0, 1e6));
 }
 
 int allowed_threads() {

@@ -1,9 +1,9 @@
 #include "sequences/bake.h"
 #include "sequences/job.h"
 #include "sequences/render_text.h"
-#include "tools/allowed_parallelism.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
+#include "tools/threads.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -21,6 +21,7 @@ struct BakeText {
     bool normals = false;
     std::string camera = "auto";
     std::string size = "1280x720";
+    int threads = 0;
 };
 
 sequences::BakeJob read_job(const BakeText& text) {
@@ -40,13 +41,14 @@ ExitCode bake(const BakeText& text, Console& console) {
     const sequences::BakeJob job = read_job(text);
     const sequences::BakeReports reports{
         .warning = [&](std::string_view warning) { console.warning(warning); },
+        .note = [&](std::string_view note) { console.note(note); },
         .frame_done =
             [&](sequences::Frame frame, const std::filesystem::path& file, std::size_t done,
                 std::size_t total) {
                 console.line(fmt::format("{}/{} frame {} -> {}", done, total, frame, file.string()));
             }};
-    const AllowedParallelism limit;
-    const sequences::BakeResult result = sequences::bake(job, reports, watch_for_interrupt());
+    const sequences::BakeResult result = run_on_threads(
+        thread_count(text.threads), [&] { return sequences::bake(job, reports, watch_for_interrupt()); });
     console.result(fmt::format("{} frame{}: {}\ncameras: {}\n", result.frames, result.frames == 1 ? "" : "s",
                                job.output.text(), result.cameras.string()));
     return result.interrupted ? ExitCode::interrupted : ExitCode::done;
@@ -72,6 +74,7 @@ Command add_bake_command(CLI::App& program) {
         ->type_name("WxH")
         ->capture_default_str()
         ->group("Output");
+    add_threads_option(*app, text->threads);
     return {.app = app,
             .run = [text](const CommonOptions&, Console& console) { return bake(*text, console); }};
 }

@@ -76,8 +76,8 @@ ExitCode bench(const BenchText& text, Console& console) {
     const int most = *std::max_element(plan.threads.begin(), plan.threads.end());
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(most));
-    console.note(fmt::format("{}, {} kernels, {} runs of each frame", sequences::cpu_name(),
-                             traversal::simd_target(), plan.repeat));
+    console.note(fmt::format("{}, {} kernels, {} run{} of each frame", sequences::cpu_name(),
+                             traversal::simd_target(), plan.repeat, plan.repeat == 1 ? "" : "s"));
     const auto competitors = sequences::run_benchmark(plan, [&](std::size_t done, std::size_t count) {
         console.line(fmt::format("{}/{} frames", done, count));
     });

@@ -1,3 +1,4 @@
+#include "anim/parse_number.h"
 #include "sequences/build_info.h"
 #include "sequences/errors.h"
 #include "tools/command.h"
@@ -7,7 +8,6 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
-#include <charconv>
 #include <map>
 
 namespace gridreel::tools {
@@ -16,13 +16,9 @@ namespace {
 using sequences::UsageError;
 
 anim::Index parse_scene_number(const std::string& text) {
-    anim::Index number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size()) {
-        throw UsageError(fmt::format("'{}' is not a scene's number", text), "--scene",
-                         "give a number from 0, as gridreel info counts them");
-    }
-    return number;
+    if (const auto number = parse_number<anim::Index>(text)) return *number;
+    throw UsageError(fmt::format("'{}' is not a scene's number", text), "--scene",
+                     "give a number from 0, as gridreel info counts them");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "sequences/scene_info.h"
-#include "tools/allowed_parallelism.h"
 #include "tools/command.h"
+#include "tools/threads.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -25,8 +25,9 @@ Command add_info_command(CLI::App& program) {
     add_take_options(*app, text->take, FrameOption::left_out);
     app->add_flag("--json", text->json, "One JSON object")->group("Output");
     return {.app = app, .run = [text](const CommonOptions&, Console& console) {
-                const AllowedParallelism limit;
-                const sequences::SceneInfo info = sequences::inspect(read_take(text->take));
+                const sequences::Take take = read_take(text->take);
+                const sequences::SceneInfo info =
+                    run_on_threads(thread_count(0), [&] { return sequences::inspect(take); });
                 console.result(text->json ? sequences::to_json_text(info) : sequences::to_text(info));
                 return ExitCode::done;
             }};

@@ -2,11 +2,11 @@
 #include "sequences/errors.h"
 #include "sequences/render_text.h"
 #include "sequences/run_job.h"
-#include "sequences/thread_count.h"
 #include "sequences/timing_table.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
 #include "tools/picture_options.h"
+#include "tools/threads.h"
 #include "traversal/simd_target.h"
 
 #include <CLI/App.hpp>
@@ -14,8 +14,6 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <cstdint>
 #include <memory>
@@ -76,19 +74,14 @@ void add_output_options(CLI::App& app, RenderText& text) {
 }
 
 void add_machine_options(CLI::App& app, RenderText& text) {
-    const char* const group = "Machine";
     std::vector<std::string> accels;
     for (const auto kind : traversal::tracer_kinds()) accels.emplace_back(traversal::name_of(kind));
-    app.add_option("-j,--threads", text.threads, "Threads")
-        ->check(CLI::Range(1, 4096).description(""))
-        ->type_name("N")
-        ->default_str("all allowed")
-        ->group(group);
+    add_threads_option(app, text.threads);
     app.add_option("--accel", text.accel, fmt::format("Acceleration structure: {}", fmt::join(accels, ", ")))
         ->check(CLI::IsMember(accels).description(""))
         ->type_name("NAME")
         ->capture_default_str()
-        ->group(group);
+        ->group("Machine");
 }
 
 Job read_job(const RenderText& text) {
@@ -104,17 +97,9 @@ Job read_job(const RenderText& text) {
                                : std::filesystem::path(text.log);
     job.render = read_picture(text.picture);
     job.render.tracer.kind = traversal::tracer_kind(text.accel).value();
-    job.threads = text.threads > 0 ? text.threads : sequences::allowed_threads();
+    job.threads = thread_count(text.threads);
     job.keep_going = text.keep_going;
     return job;
-}
-
-/// Runs the job on as many threads as it may have.
-JobResult run_on_threads(const Job& job, sequences::JobObserver& observer) {
-    const auto threads = static_cast<std::size_t>(job.threads);
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    tbb::task_arena arena(job.threads);
-    return arena.execute([&] { return sequences::run_job(job, observer, watch_for_interrupt()); });
 }
 
 void print_results(const Job& job, const JobResult& result, double elapsed_s, Console& console) {
@@ -135,7 +120,8 @@ ExitCode render(const RenderText& text, Console& console) {
                                traversal::simd_target(), job.threads, job.log.string()));
 
     ProgressDisplay display(console, when, job.keep_going);
-    const JobResult result = run_on_threads(job, display);
+    const JobResult result =
+        run_on_threads(job.threads, [&] { return sequences::run_job(job, display, watch_for_interrupt()); });
     console.end_bar();
     print_results(job, result, display.progress().elapsed_s, console);
     if (result.interrupted) {

@@ -67,6 +67,21 @@ TEST_CASE("a texture on TEXCOORD_2 is left out with a warning", "[load]") {
     CHECK_THAT(test::warning_at(scene, "/materials/0"), Contains("TEXCOORD_2"));
 }
 
+TEST_CASE("textures that are not drawn are warned of once, at the first material that has one", "[load]") {
+    auto file = test::one_triangle();
+    const nlohmann::json texture = {{"index", 0}};
+    file.json["textures"] = {nlohmann::json::object()};
+    file.json["materials"] = {nlohmann::json::object(),
+                              {{"normalTexture", texture}, {"emissiveTexture", texture}},
+                              {{"normalTexture", texture}, {"occlusionTexture", texture}}};
+    const auto scene = file.load();
+    CHECK(scene.warnings.size() == 2);
+    CHECK(test::warning_at(scene, "/materials/1/normalTexture") ==
+          "2 materials have a normalTexture; it is not drawn yet");
+    CHECK(test::warning_at(scene, "/materials/2/occlusionTexture") ==
+          "1 material has an occlusionTexture; it is not drawn yet");
+}
+
 TEST_CASE("a texture without a sampler repeats and is filtered smoothly", "[load]") {
     auto file = test::one_triangle();
     file.json["images"] = {{{"uri", "data:image/png;base64,AAAA"}}};

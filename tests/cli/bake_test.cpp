@@ -29,6 +29,22 @@ std::size_t header_end(const std::string& ply) {
     return ply.find(end) + end.size();
 }
 
+Outcome bake_tiny(const ScratchFolder& folder, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"bake", "tiny.gltf", "-o", "####.ply"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    Outcome outcome = run_gridreel(arguments, {.folder = folder.path()});
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return outcome;
+}
+
+std::vector<int> baked_frames(const ScratchFolder& folder) {
+    std::vector<int> frames;
+    const json cameras = json::parse(bytes_of(folder / "tiny.cameras.json"));
+    for (const json& view : cameras["frames"]) frames.push_back(view["frame"]);
+    return frames;
+}
+
 }  // namespace
 
 TEST_CASE("baked meshes hold the world-space triangles of their time", "[cli][bake]") {
@@ -110,4 +126,90 @@ TEST_CASE("the height for a sliver of a camera stays within the largest picture"
     REQUIRE(outcome.exit_code == 0);
     const json cameras = json::parse(bytes_of(folder / "tiny.cameras.json"));
     CHECK(cameras["frames"][0]["aspect"].get<double>() == Approx(64.0 / 65535.0));
+}
+
+TEST_CASE("parts of a bake make the camera file of the whole", "[cli][bake]") {
+    const ScratchFolder whole, parts;
+    for (const ScratchFolder* folder : {&whole, &parts}) write_tiny_scene(folder->path());
+    bake_tiny(whole, {"-f", "0-6"});
+    bake_tiny(parts, {"-f", "5-6"});
+    bake_tiny(parts, {"-f", "0-3"});
+    const Outcome last = bake_tiny(parts, {"-f", "6,4,2"});
+    CHECK(last.err.find("written anew") == std::string::npos);
+    CHECK(bytes_of(parts / "tiny.cameras.json") == bytes_of(whole / "tiny.cameras.json"));
+}
+
+TEST_CASE("frames baked again replace theirs in the camera file", "[cli][bake]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    bake_tiny(folder, {"-f", "0-2"});
+    json cameras = json::parse(bytes_of(folder / "tiny.cameras.json"));
+    for (json& view : cameras["frames"]) view["eye"] = {9, 9, 9};
+    write_file(folder / "tiny.cameras.json", cameras.dump());
+    bake_tiny(folder, {"-f", "1"});
+    cameras = json::parse(bytes_of(folder / "tiny.cameras.json"));
+    REQUIRE(baked_frames(folder) == std::vector<int>{0, 1, 2});
+    CHECK(cameras["frames"][0]["eye"] == json{9, 9, 9});
+    CHECK(cameras["frames"][1]["eye"] == json{1.0, 0.5, 5.0});
+    CHECK(cameras["frames"][2]["eye"] == json{9, 9, 9});
+}
+
+TEST_CASE("a camera file of another bake is replaced as a whole, with a note", "[cli][bake]") {
+    struct Other {
+        const char* differs;
+        std::vector<std::string> options;
+    };
+    for (const auto& [differs, options] :
+         {Other{"fps", {"--fps", "30"}}, Other{"animations", {"--animation", "none"}},
+          Other{"camera", {"--camera", "fit"}}, Other{"aspect", {"-s", "100x100"}}}) {
+        INFO(differs);
+        const ScratchFolder folder;
+        write_tiny_scene(folder.path());
+        bake_tiny(folder, {"-f", "0-2"});
+        std::vector<std::string> again{"-f", "7"};
+        again.insert(again.end(), options.begin(), options.end());
+        const Outcome outcome = bake_tiny(folder, again);
+        CHECK(outcome.err.find("tiny.cameras.json is written anew: it is of another bake (\"" +
+                               std::string(differs) + "\")") != std::string::npos);
+        CHECK(baked_frames(folder) == std::vector<int>{7});
+    }
+}
+
+TEST_CASE("a camera file of another scene is replaced as a whole, with a note", "[cli][bake]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    bake_tiny(folder, {"-f", "0-2"});
+    write_file(folder / "tiny.gltf", bytes_of(folder / "tiny.gltf") + "\n");
+    const Outcome outcome = bake_tiny(folder, {"-f", "7"});
+    CHECK(outcome.err.find("scene_sha256") != std::string::npos);
+    CHECK(baked_frames(folder) == std::vector<int>{7});
+}
+
+TEST_CASE("what is no camera file is replaced, with a note", "[cli][bake]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    const auto note_about = [&](const std::string& content) {
+        write_file(folder / "tiny.cameras.json", content);
+        const Outcome outcome = bake_tiny(folder, {"-f", "7"});
+        CHECK(baked_frames(folder) == std::vector<int>{7});
+        return outcome.err;
+    };
+    bake_tiny(folder, {"-f", "0"});
+    json damaged = json::parse(bytes_of(folder / "tiny.cameras.json"));
+    damaged["frames"] = {{{"frame", "first"}}};
+    CHECK(note_about(damaged.dump()).find("its frames are damaged") != std::string::npos);
+    for (const char* const content : {"", "{", "[]", "null", R"({"schema": "other/1", "frames": []})"}) {
+        INFO(content);
+        CHECK(note_about(content).find("it is no camera file") != std::string::npos);
+    }
+}
+
+TEST_CASE("what is baked does not depend on the number of threads", "[cli][bake]") {
+    const ScratchFolder one, several;
+    for (const ScratchFolder* folder : {&one, &several}) write_tiny_scene(folder->path());
+    bake_tiny(one, {"-f", "0-3", "-j", "1"});
+    bake_tiny(several, {"-f", "0-3", "--threads", "3"});
+    CHECK(one.names() == several.names());
+    for (const std::string& name : one.names()) CHECK(bytes_of(one / name) == bytes_of(several / name));
+    CHECK(run_gridreel({"bake", "tiny.gltf", "-j", "0"}, {.folder = one.path()}).exit_code == 2);
 }

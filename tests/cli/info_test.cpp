@@ -35,6 +35,16 @@ TEST_CASE("info says what a scene holds, for scripts", "[cli][info]") {
     CHECK(info["materials"] == json{"Red"});
     CHECK(info["extensions_used"].empty());
     CHECK(info["warnings"].is_array());
+    const json& memory = info["memory_estimate"];
+    std::size_t sum = 0;
+    for (const char* const part : {"program", "scene", "geometry", "textures", "grid", "films", "rays"}) {
+        sum += memory[part].get<std::size_t>();
+    }
+    CHECK(memory["total"] == sum);
+    // Three corners of position, indices that count up, and the keys: 2 times, 2 translations.
+    CHECK(memory["scene"] == 3 * 12 + 12 + 2 * 4 + 2 * 12);
+    CHECK(memory["textures"] == 0);
+    CHECK(memory["assumed"]["size"] == json{1280, 720});
 }
 
 TEST_CASE("info says what a scene holds, for people", "[cli][info]") {
@@ -42,9 +52,9 @@ TEST_CASE("info says what a scene holds, for people", "[cli][info]") {
     write_tiny_scene(folder.path());
     const Outcome outcome = run_gridreel({"info", "tiny.gltf"}, {.folder = folder.path()});
     REQUIRE(outcome.exit_code == 0);
-    for (const char* text :
-         {"0 Slide: 1 s, frames 0-24 at 24 fps, plays", "0 Cam (perspective)",
-          "1 moving, 1 still, 6 vertices", "(0, 0, -1) to (3, 1, 0) m", "Red", "used none; required none"}) {
+    for (const char* text : {"0 Slide: 1 s, frames 0-24 at 24 fps, plays", "0 Cam (perspective)",
+                             "1 moving, 1 still, 6 vertices", "(0, 0, -1) to (3, 1, 0) m", "Red",
+                             "used none; required none", "MiB to render 1280x720: program"}) {
         INFO(text);
         CHECK(outcome.out.find(text) != std::string::npos);
     }
