@@ -233,7 +233,8 @@ bool are_neighbours(const RayBatch& rays) {
 
 }  // namespace
 
-EmbreeTracer::EmbreeTracer(const EmbreeOptions& options) : options_(options), scene_(options.quality) {}
+EmbreeTracer::EmbreeTracer(const EmbreeOptions& options)
+    : options_(options), way_(options.rays), scene_(options.quality) {}
 
 rebuild::BuildReport EmbreeTracer::rebuild(const rebuild::TriangleView& triangles) {
     triangles_ = triangles;
@@ -296,9 +297,16 @@ TraceReport EmbreeTracer::any_hits(const RayBatch& rays, OcclusionBatch& occlude
     return {.rays = rays.size()};
 }
 
+std::size_t EmbreeTracer::ways() const {
+    return options_.rays == EmbreeRays::automatic ? 2 : 1;
+}
+
+void EmbreeTracer::take_way(std::size_t way) {
+    if (ways() > 1) way_ = way == 0 ? EmbreeRays::packets : EmbreeRays::single;
+}
+
 bool EmbreeTracer::in_packets(const RayBatch& rays) const {
-    return options_.rays == EmbreeRays::packets ||
-           (options_.rays == EmbreeRays::automatic && are_neighbours(rays));
+    return way_ == EmbreeRays::packets || (way_ == EmbreeRays::automatic && are_neighbours(rays));
 }
 
 }  // namespace gridreel::traversal

@@ -24,10 +24,15 @@ public:
     TraceReport closest_hits(const RayBatch& rays, HitBatch& hits) override;
     TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) override;
 
+    /// Packets, then single rays; just one of them when the options say which.
+    [[nodiscard]] std::size_t ways() const override;
+    void take_way(std::size_t way) override;
+
 private:
     [[nodiscard]] bool in_packets(const RayBatch& rays) const;
 
     EmbreeOptions options_;
+    EmbreeRays way_;
     EmbreeScene scene_;
     rebuild::TriangleView triangles_;
 };

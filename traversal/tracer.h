@@ -6,6 +6,7 @@
 #include "rebuild/triangle_view.h"
 #include "traversal/ray_batch.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -44,6 +45,11 @@ public:
 
     /// Fills `occluded` (resized) with whether anything blocks each ray.
     virtual TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) = 0;
+
+    /// In how many ways rays can be asked of the same structure, where only measuring tells the fastest; from
+    /// now on they are asked in one of these. For benchmarks.
+    [[nodiscard]] virtual std::size_t ways() const { return 1; }
+    virtual void take_way(std::size_t /*way*/) {}
 };
 
 enum class TracerKind {
