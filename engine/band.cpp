@@ -1,7 +1,9 @@
 #include "engine/band.h"
 
 #include "engine/brdf.h"
+#include "engine/camera_rays.h"
 #include "engine/compact.h"
+#include "engine/shadow_rays.h"
 #include "engine/stopwatch.h"
 
 #include <oneapi/tbb/parallel_for.h>
@@ -36,18 +38,13 @@ glm::vec3 unshadowed(const Surface& surface, const Dome& dome, const glm::vec3& 
            specular * gathered;
 }
 
-bool reaches(const Arrival& arrival, const Surface& surface) {
-    return arrival.distance > 0.0f && arrival.irradiance != glm::vec3(0.0f) &&
-           glm::dot(arrival.to_light, surface.normal) > 0.0f;
-}
-
 }  // namespace
 
 BandReport Band::render(const Frame& frame, std::span<const Pixel> pixels, Film& film) {
     BandReport report;
 
     const Stopwatch making_rays;
-    make_camera_rays(frame, pixels);
+    make_camera_rays(frame.view, frame.pattern, pixels, camera_rays_);
     report.primary_ms += making_rays.ms();
 
     const TraceCost primary =
@@ -59,28 +56,6 @@ BandReport Band::render(const Frame& frame, std::span<const Pixel> pixels, Film&
     for (const PosedLight& light : frame.lighting.lights) add_light(frame, light, report);
     resolve(frame, pixels, film);
     return report;
-}
-
-void Band::make_camera_rays(const Frame& frame, std::span<const Pixel> pixels) {
-    const View& view = frame.view;
-    const auto samples = static_cast<std::size_t>(frame.pattern.samples);
-    const bool pinhole = view.kind == anim::Camera::Kind::perspective;
-    camera_rays_.resize(pixels.size() * samples, pinhole ? std::optional(glm::vec3(view.eye)) : std::nullopt,
-                        traversal::RayOrder::coherent);
-
-    tbb::parallel_for(std::size_t{0}, pixels.size(), [&](std::size_t p) {
-        const Pixel pixel = pixels[p];
-        for (std::size_t s = 0; s < samples; ++s) {
-            const std::size_t ray = p * samples + s;
-            const glm::dvec2 place =
-                glm::dvec2(pixel.x, pixel.y) +
-                glm::dvec2(frame.pattern.place(pixel.x, pixel.y, static_cast<std::uint32_t>(s)));
-            if (!pinhole) camera_rays_.set_origin(ray, view.ray_origin(place));
-            camera_rays_.set_direction(ray, view.ray_direction(place));
-            camera_rays_.t_min[ray] = static_cast<float>(view.near_m);
-            camera_rays_.t_max[ray] = static_cast<float>(view.far_m);
-        }
-    });
 }
 
 void Band::find_surfaces(const Frame& frame) {
@@ -124,31 +99,15 @@ void Band::add_light(const Frame& frame, const PosedLight& light, BandReport& re
 void Band::choose_lit(const PosedLight& light) {
     lit_.resize(camera_rays_.size());
     tbb::parallel_for(std::size_t{0}, camera_rays_.size(), [&](std::size_t i) {
-        lit_[i] = hits_.triangle[i] != traversal::no_triangle &&
-                  reaches(arrival_at(light, surfaces_[i].position), surfaces_[i]);
+        lit_[i] = hits_.triangle[i] != traversal::no_triangle && may_light(light, surfaces_[i]);
     });
     compact(lit_, sample_of_);
 }
 
 void Band::make_shadow_rays(const PosedLight& light) {
-    // A light with a place is the common origin of its shadow rays, which the tracer sorts into packets.
-    const bool from_light = light.kind != anim::Light::Kind::directional;
-    shadow_rays_.resize(sample_of_.size(), from_light ? std::optional(light.position) : std::nullopt,
-                        traversal::RayOrder::arbitrary);
+    begin_shadow_rays(light, sample_of_.size(), shadow_rays_);
     tbb::parallel_for(std::size_t{0}, sample_of_.size(), [&](std::size_t i) {
-        const Surface& surface = surfaces_[sample_of_[i]];
-        shadow_rays_.t_min[i] = 0.0f;
-        const Arrival arrival = arrival_at(light, surface.position);
-        const float cosine = glm::dot(arrival.to_light, surface.geometric_normal);
-        const ShadowEnd end = shadow_end(surface, from_light ? arrival.distance : 0.0f, cosine);
-        if (from_light) {
-            shadow_rays_.set_direction(i, end.point - light.position);
-            shadow_rays_.t_max[i] = 1.0f - end.gap;
-        } else {
-            shadow_rays_.set_origin(i, end.point);
-            shadow_rays_.set_direction(i, arrival.to_light);
-            shadow_rays_.t_max[i] = std::numeric_limits<float>::infinity();
-        }
+        set_shadow_ray(light, surfaces_[sample_of_[i]], i, shadow_rays_);
     });
 }
 

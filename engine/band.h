@@ -46,7 +46,6 @@ public:
     BandReport render(const Frame& frame, std::span<const Pixel> pixels, Film& film);
 
 private:
-    void make_camera_rays(const Frame& frame, std::span<const Pixel> pixels);
     void find_surfaces(const Frame& frame);
     void add_light(const Frame& frame, const PosedLight& light, BandReport& report);
     void choose_lit(const PosedLight& light);

@@ -50,37 +50,41 @@ glm::vec3 pushed_out(const HitPoint& point, const std::array<glm::vec3, 3>& norm
 
 }  // namespace
 
-Surface surface_at(const PosedScene& scene, std::uint32_t triangle, const HitPoint& point, const Ray& ray,
-                   float cone_width) {
-    const anim::FrameGeometry& geometry = scene.geometry;
-    const anim::Part& part = scene.part_of(triangle);
-    const anim::Material& material = scene.material_of(triangle);
-    const glm::dvec3 direction = glm::normalize(glm::dvec3(ray.direction));
-
-    // Shape.
+SurfaceShape shape_at(const anim::FrameGeometry& geometry, std::uint32_t triangle, const HitPoint& point,
+                      const Ray& ray) {
+    // Where it is, and which way it faces.
     const double doubled_area = glm::length(point.area_normal);
     const glm::dvec3 facing = point.side == Side::back ? -point.area_normal : point.area_normal;
-    Surface surface{.position = glm::vec3(point.position),
-                    .smooth_position = glm::vec3(point.position),
-                    .geometric_normal = glm::vec3(doubled_area > 0.0 ? facing / doubled_area : -direction)};
-    surface.normal = surface.geometric_normal;
-    if (part.smooth) {
+    const glm::vec3 towards_ray(-glm::normalize(glm::dvec3(ray.direction)));
+    SurfaceShape shape{
+        .position = glm::vec3(point.position),
+        .smooth_position = glm::vec3(point.position),
+        .geometric_normal = doubled_area > 0.0 ? glm::vec3(facing / doubled_area) : towards_ray};
+    shape.normal = shape.geometric_normal;
+    if (geometry.parts[geometry.triangle_part[triangle]].smooth) {
         const auto normals =
-            vertex_normals(geometry, geometry.triangles[triangle], point.side, surface.geometric_normal);
-        surface.normal = interpolated_normal(normals, glm::vec3(point.weights), surface.geometric_normal);
-        surface.smooth_position = pushed_out(point, normals);
+            vertex_normals(geometry, geometry.triangles[triangle], point.side, shape.geometric_normal);
+        shape.normal = interpolated_normal(normals, glm::vec3(point.weights), shape.geometric_normal);
+        shape.smooth_position = pushed_out(point, normals);
     }
 
     // Size.
     for (const glm::vec3& corner : point.corners) {
         const glm::vec3 reach = glm::abs(corner);
-        surface.coordinate = glm::max(surface.coordinate, glm::max(reach.x, glm::max(reach.y, reach.z)));
+        shape.coordinate = glm::max(shape.coordinate, glm::max(reach.x, glm::max(reach.y, reach.z)));
     }
     const double edges = double(glm::distance(point.corners[0], point.corners[1])) *
                          double(glm::distance(point.corners[0], point.corners[2]));
-    surface.slimness = static_cast<float>(edges / doubled_area);
+    shape.slimness = static_cast<float>(edges / doubled_area);
+    return shape;
+}
 
-    // Looks.
+Surface surface_at(const PosedScene& scene, std::uint32_t triangle, const HitPoint& point, const Ray& ray,
+                   float cone_width) {
+    const anim::Material& material = scene.material_of(triangle);
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(ray.direction));
+    Surface surface{shape_at(scene.geometry, triangle, point, ray)};
+
     const double cosine = std::abs(glm::dot(glm::dvec3(surface.geometric_normal), direction));
     const TexturedPoint at{.triangle = triangle,
                            .point = point,
@@ -95,7 +99,7 @@ Surface surface_at(const PosedScene& scene, std::uint32_t triangle, const HitPoi
     return surface;
 }
 
-ShadowEnd shadow_end(const Surface& surface, float distance, float cosine) {
+ShadowEnd shadow_end(const SurfaceShape& surface, float distance, float cosine) {
     const float steepness = std::abs(cosine);
     const float uncertain = glm::min(2.0f * traversal::rounding_margin * surface.slimness / steepness,
                                      static_cast<float>(traversal::depth_error));

@@ -1,5 +1,5 @@
 #pragma once
-// What shading needs to know about a point that a camera ray hit.
+// What shading and further rays need to know about a point that a camera ray hit.
 
 #include "engine/brdf.h"
 #include "engine/hit_point.h"
@@ -12,17 +12,25 @@
 
 namespace gridreel::engine {
 
-/// A visible point with its material. Normals are unit and on the viewer's side of the surface.
-struct Surface {
+/// A visible point, without its looks. Normals are unit and on the viewer's side of the surface.
+struct SurfaceShape {
     glm::vec3 position{0.0f};          ///< on the triangle, world space, metres
     glm::vec3 smooth_position{0.0f};   ///< on the curved surface that the vertex normals suggest
     glm::vec3 geometric_normal{0.0f};  ///< the triangle's
     glm::vec3 normal{0.0f};            ///< interpolated between vertices where the part is smooth
+    float coordinate = 0.0f;           ///< largest absolute coordinate of the triangle's corners, metres
+    float slimness = 1.0f;             ///< product of two of the triangle's edges over twice its area, >= 1
+};
+
+/// A visible point with its material.
+struct Surface : SurfaceShape {
     Reflectance reflectance{};
     glm::vec3 emission{0.0f};  ///< radiance, linear RGB
-    float coordinate = 0.0f;   ///< largest absolute coordinate of the triangle's corners, metres
-    float slimness = 1.0f;     ///< product of two of the triangle's edges over twice its area, >= 1
 };
+
+/// @param triangle  hit by `ray` at `point`
+[[nodiscard]] SurfaceShape shape_at(const anim::FrameGeometry& geometry, std::uint32_t triangle,
+                                    const HitPoint& point, const Ray& ray);
 
 /// @param triangle    hit by `ray` at `point`
 /// @param cone_width  how wide the ray stands for at the hit, metres: the pixel's share of the surface,
@@ -46,6 +54,6 @@ struct ShadowEnd {
 ///
 /// @param distance  to the light, metres; 0 for one without a place
 /// @param cosine    between the way to the light and the geometric normal
-[[nodiscard]] ShadowEnd shadow_end(const Surface& surface, float distance, float cosine);
+[[nodiscard]] ShadowEnd shadow_end(const SurfaceShape& surface, float distance, float cosine);
 
 }  // namespace gridreel::engine

@@ -3,13 +3,24 @@
 #include "traversal/grid_tracer.h"
 #include "traversal/naive_tracer.h"
 
+#ifdef GRIDREEL_EMBREE
+#include "traversal/embree_tracer.h"
+#endif
+
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
 namespace gridreel::traversal {
 namespace {
 
-constexpr std::array kinds{TracerKind::grid, TracerKind::grid_single, TracerKind::naive};
+constexpr std::array all_kinds{TracerKind::grid, TracerKind::grid_single, TracerKind::naive,
+                               TracerKind::embree};
+#ifdef GRIDREEL_EMBREE
+constexpr std::span<const TracerKind> built_in = all_kinds;
+#else
+constexpr std::span<const TracerKind> built_in = std::span(all_kinds).first(all_kinds.size() - 1);
+#endif
 
 }  // namespace
 
@@ -29,8 +40,14 @@ std::unique_ptr<Tracer> make_tracer(const TracerOptions& options) {
             return std::make_unique<GridTracer>(options.resolution, Traversal::one_by_one);
         case TracerKind::naive:
             return std::make_unique<NaiveTracer>();
+        case TracerKind::embree:
+#ifdef GRIDREEL_EMBREE
+            return std::make_unique<EmbreeTracer>(options.embree);
+#else
+            break;
+#endif
     }
-    throw std::invalid_argument("unknown kind of tracer");
+    throw std::invalid_argument("this kind of tracer is not built in");
 }
 
 std::string_view name_of(TracerKind kind) {
@@ -41,19 +58,37 @@ std::string_view name_of(TracerKind kind) {
             return "grid-single";
         case TracerKind::naive:
             return "naive";
+        case TracerKind::embree:
+            return "embree";
+    }
+    return "";
+}
+
+std::string_view name_of(EmbreeQuality quality) {
+    switch (quality) {
+        case EmbreeQuality::low:
+            return "low";
+        case EmbreeQuality::medium:
+            return "medium";
+        case EmbreeQuality::refit:
+            return "refit";
     }
     return "";
 }
 
 std::optional<TracerKind> tracer_kind(std::string_view name) {
-    for (const TracerKind kind : kinds) {
+    for (const TracerKind kind : all_kinds) {
         if (name_of(kind) == name) return kind;
     }
     return std::nullopt;
 }
 
 std::span<const TracerKind> tracer_kinds() {
-    return kinds;
+    return built_in;
+}
+
+bool is_built_in(TracerKind kind) {
+    return std::find(built_in.begin(), built_in.end(), kind) != built_in.end();
 }
 
 }  // namespace gridreel::traversal

@@ -6,6 +6,7 @@
 #include "rebuild/triangle_view.h"
 #include "traversal/ray_batch.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -26,7 +27,8 @@ struct TraceReport {
 /// An acceleration structure. Virtual calls happen once per batch, never per ray.
 ///
 /// Work runs in the calling thread's TBB arena. Answers do not depend on the number of threads, and
-/// are the same for every kind of tracer (Tracer kinds differ in speed only).
+/// are the same for every kind of tracer (Tracer kinds differ in speed only), but for Embree's, which are
+/// nearly so (traversal/embree_tracer.h).
 class Tracer {
 public:
     Tracer() = default;
@@ -43,24 +45,57 @@ public:
 
     /// Fills `occluded` (resized) with whether anything blocks each ray.
     virtual TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) = 0;
+
+    /// In how many ways rays can be asked of the same structure, where only measuring tells the fastest; from
+    /// now on they are asked in one of these. For benchmarks.
+    [[nodiscard]] virtual std::size_t ways() const { return 1; }
+    virtual void take_way(std::size_t /*way*/) {}
 };
 
 enum class TracerKind {
     grid,         ///< coherent packets through the grid (Wald et al. 2006)
     grid_single,  ///< one ray at a time through the same grid (Amanatides & Woo 1987)
     naive,        ///< every triangle for every ray: the oracle
+    embree,       ///< Intel's Embree: the rival
+};
+
+/// How Embree makes its hierarchy.
+enum class EmbreeQuality {
+    low,     ///< from scratch every frame, as fast as it can (Morton order)
+    medium,  ///< from scratch every frame, by the surface area heuristic
+    refit,   ///< medium on the first frame, then the same tree with new boxes, while the topology stays
+};
+
+/// How Embree is given rays.
+enum class EmbreeRays {
+    automatic,  ///< packets where neighbours or a common origin are known, else single
+    packets,    ///< 16 at a time
+    single,
+};
+
+struct EmbreeOptions {
+    EmbreeQuality quality = EmbreeQuality::low;
+    EmbreeRays rays = EmbreeRays::automatic;
 };
 
 struct TracerOptions {
     TracerKind kind = TracerKind::grid;
-    rebuild::ResolutionPolicy resolution;
+    rebuild::ResolutionPolicy resolution;  ///< of the grids
+    EmbreeOptions embree{};
 };
 
+/// @throws std::invalid_argument when the kind is not built in
 [[nodiscard]] std::unique_ptr<Tracer> make_tracer(const TracerOptions& options);
 
-/// "grid", "grid-single", "naive": the names of `--accel`.
+/// "grid", "grid-single", "naive", "embree": the names of `--accel`, built in or not.
 [[nodiscard]] std::string_view name_of(TracerKind kind);
 [[nodiscard]] std::optional<TracerKind> tracer_kind(std::string_view name);
+
+/// Those built in: all but Embree, which is where it was found (GRIDREEL_EMBREE).
 [[nodiscard]] std::span<const TracerKind> tracer_kinds();
+[[nodiscard]] bool is_built_in(TracerKind kind);
+
+/// "low", "medium", "refit": the names of `--embree-quality`.
+[[nodiscard]] std::string_view name_of(EmbreeQuality quality);
 
 }  // namespace gridreel::traversal

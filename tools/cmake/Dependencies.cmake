@@ -16,3 +16,19 @@ unset(CMAKE_MESSAGE_LOG_LEVEL)
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
   INTERFACE_INCLUDE_DIRECTORIES "${OpenImageIO_INCLUDE_DIR}")
 find_package(benchmark QUIET)
+
+# Embree, the rival in benchmarks: optional, and so not in tools/packages.txt (Debian's is libembree-dev, version 3).
+set(GRIDREEL_EMBREE AUTO CACHE STRING "Build the tracer over Embree 3 or 4: AUTO (where found), ON or OFF")
+set_property(CACHE GRIDREEL_EMBREE PROPERTY STRINGS AUTO ON OFF)
+# The thread sanitizer cannot see how Embree's own code keeps its threads apart.
+if(GRIDREEL_EMBREE STREQUAL "AUTO" AND GRIDREEL_SANITIZE MATCHES "thread")
+  message(STATUS "Without Embree, for the thread sanitizer")
+elseif(GRIDREEL_EMBREE)
+  find_package(embree 4 QUIET)
+  if(NOT embree_FOUND)
+    find_package(embree 3 QUIET)
+  endif()
+  if(NOT embree_FOUND AND NOT GRIDREEL_EMBREE STREQUAL "AUTO")
+    message(FATAL_ERROR "GRIDREEL_EMBREE is ON, but Embree is not found: install libembree-dev")
+  endif()
+endif()

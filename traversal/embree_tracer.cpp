@@ -1,0 +1,312 @@
+#include "traversal/embree_tracer.h"
+
+#include "traversal/embree_api-inl.h"
+
+#include <glm/geometric.hpp>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace gridreel::traversal {
+namespace {
+
+using embree::Context;
+using embree::Query;
+
+constexpr std::size_t width = 16;
+constexpr std::size_t rays_per_task = 64 * width;
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Embree's manual asks for tiny numbers to be flushed to zero while it traces.
+class FlushTinyNumbers {
+public:
+#ifdef __SSE__
+    FlushTinyNumbers() : before_(_mm_getcsr()) {
+        _mm_setcsr(before_ | 0x8040u);
+    }
+    FlushTinyNumbers(const FlushTinyNumbers&) = delete;
+    FlushTinyNumbers& operator=(const FlushTinyNumbers&) = delete;
+    ~FlushTinyNumbers() {
+        _mm_setcsr(before_);
+    }
+
+private:
+    unsigned before_;
+#endif
+};
+
+bool can_hit(const glm::vec3& origin, const glm::vec3& direction, float t_min, float t_max) {
+    const float reach =
+        std::max(std::fabs(direction.x), std::max(std::fabs(direction.y), std::fabs(direction.z)));
+    return t_min < t_max && reach > 0.0f && reach < infinity && rebuild::is_traceable(origin);
+}
+
+/// Rays in Embree's way ---------------------------------------------------------------------------------
+
+void copy_lanes(const rebuild::Buffer<float>& from, std::size_t first, std::size_t count, float* to) {
+    if (count == width) {
+        std::memcpy(to, from.data() + first, width * sizeof(float));
+    } else {
+        std::copy_n(from.data() + first, count, to);
+    }
+}
+
+/// Rays `first` to `first + count` of the batch, and which of them can hit anything.
+void fill(const RayBatch& rays, std::size_t first, std::size_t count, RTCRay16& packet,
+          std::array<int, width>& valid) {
+    if (rays.common_origin) {
+        std::fill_n(packet.org_x, width, rays.common_origin->x);
+        std::fill_n(packet.org_y, width, rays.common_origin->y);
+        std::fill_n(packet.org_z, width, rays.common_origin->z);
+    } else {
+        copy_lanes(rays.origin[0], first, count, packet.org_x);
+        copy_lanes(rays.origin[1], first, count, packet.org_y);
+        copy_lanes(rays.origin[2], first, count, packet.org_z);
+    }
+    copy_lanes(rays.direction[0], first, count, packet.dir_x);
+    copy_lanes(rays.direction[1], first, count, packet.dir_y);
+    copy_lanes(rays.direction[2], first, count, packet.dir_z);
+    copy_lanes(rays.t_min, first, count, packet.tnear);
+    copy_lanes(rays.t_max, first, count, packet.tfar);
+    std::fill_n(packet.time, width, 0.0f);
+    std::fill_n(packet.mask, width, ~0u);
+    std::fill_n(packet.flags, width, 0u);
+
+    // Comparisons joined by & so that they are done side by side.
+    constexpr float largest = rebuild::largest_coordinate;
+    for (std::size_t i = 0; i < width; ++i) {
+        const float reach = std::max(std::fabs(packet.dir_x[i]),
+                                     std::max(std::fabs(packet.dir_y[i]), std::fabs(packet.dir_z[i])));
+        const bool sound = (packet.tnear[i] < packet.tfar[i]) & (reach > 0.0f) & (reach < infinity) &
+                           (std::fabs(packet.org_x[i]) <= largest) & (std::fabs(packet.org_y[i]) <= largest) &
+                           (std::fabs(packet.org_z[i]) <= largest);
+        valid[i] = sound ? -1 : 0;
+    }
+    std::fill(valid.begin() + static_cast<std::ptrdiff_t>(count), valid.end(), 0);
+}
+
+RTCRay single_ray(const RayBatch& rays, std::size_t index, float t_min) {
+    const glm::vec3 origin = rays.origin_of(index);
+    const glm::vec3 direction = rays.direction_of(index);
+    RTCRay ray{};
+    ray.org_x = origin.x;
+    ray.org_y = origin.y;
+    ray.org_z = origin.z;
+    ray.tnear = t_min;
+    ray.dir_x = direction.x;
+    ray.dir_y = direction.y;
+    ray.dir_z = direction.z;
+    // Embree goes through with an empty interval; a negative end tells it that the ray is done.
+    ray.tfar = can_hit(origin, direction, t_min, rays.t_max[index]) ? rays.t_max[index] : -infinity;
+    ray.mask = ~0u;
+    ray.id = static_cast<unsigned>(index);
+    return ray;
+}
+
+/// Going on behind a triangle ---------------------------------------------------------------------------
+
+/// Where a triangle comes in the order of a ray's hits.
+struct Place {
+    double t = 0.0;  ///< of the triangle's plane; not-a-number when seen edge-on
+    std::uint32_t triangle = 0;
+
+    [[nodiscard]] bool comes_after(const Place& other) const {
+        return t > other.t || (t == other.t && triangle > other.triangle);
+    }
+};
+
+Place place_of(const rebuild::TriangleView& triangles, std::uint32_t triangle, const RayBatch& rays,
+               std::size_t ray) {
+    const glm::uvec3& corners = triangles.triangles[triangle];
+    const glm::dvec3 a(triangles.positions[corners.x]);
+    const glm::dvec3 normal = glm::cross(glm::dvec3(triangles.positions[corners.y]) - a,
+                                         glm::dvec3(triangles.positions[corners.z]) - a);
+    const double t = glm::dot(normal, a - glm::dvec3(rays.origin_of(ray))) /
+                     glm::dot(normal, glm::dvec3(rays.direction_of(ray)));
+    return {.t = t, .triangle = triangle};
+}
+
+/// The context that `only_behind` sees: Embree hands on the pointer to its first member.
+struct ResumedContext {
+    Context embree{};
+    const RayBatch* rays = nullptr;
+    const rebuild::TriangleView* triangles = nullptr;
+    Place after;
+};
+
+/// Refuses hits that do not come after the triangle that the ray goes on behind. For single rays.
+void only_behind(const RTCFilterFunctionNArguments* hit) {
+    const auto& resumed = *reinterpret_cast<const ResumedContext*>(hit->context);
+    const std::size_t ray = RTCRayN_id(hit->ray, hit->N, 0);
+    const std::uint32_t triangle = RTCHitN_primID(hit->hit, hit->N, 0);
+    if (!place_of(*resumed.triangles, triangle, *resumed.rays, ray).comes_after(resumed.after)) {
+        hit->valid[0] = 0;
+    }
+}
+
+/// Where to begin looking: somewhat before the triangle, since Embree rounds in its own way.
+float begin_of(const Place& after) {
+    constexpr double caution = 1.0 - 1e-4;
+    return std::max(0.0f, static_cast<float>(after.t * caution));
+}
+
+/// Single rays behind their triangles; `trace` is called with each, ready to go.
+template <class Trace>
+void for_each_resumed(const RayBatch& rays, const rebuild::TriangleView& triangles, std::size_t begin,
+                      std::size_t end, const Trace& trace) {
+    ResumedContext context{.rays = &rays, .triangles = &triangles, .after = {}};
+    Query query(context.embree, false, only_behind);
+    for (std::size_t i = begin; i < end; ++i) {
+        context.after = place_of(triangles, rays.after_triangle[i], rays, i);
+        trace(i, query, single_ray(rays, i, begin_of(context.after)));
+    }
+}
+
+/// Asking -----------------------------------------------------------------------------------------------
+
+template <class Trace>
+void for_each_single(const RayBatch& rays, std::size_t begin, std::size_t end, const Trace& trace) {
+    Context context;
+    Query query(context, false, nullptr);
+    for (std::size_t i = begin; i < end; ++i) trace(i, query, single_ray(rays, i, rays.t_min[i]));
+}
+
+void closest_in_packets(RTCScene scene, const RayBatch& rays, bool coherent, std::size_t begin,
+                        std::size_t end, HitBatch& hits) {
+    Context context;
+    Query query(context, coherent, nullptr);
+    RTCRayHit16 packet{};
+    alignas(64) std::array<int, width> valid{};
+    for (std::size_t first = begin; first < end; first += width) {
+        const std::size_t count = std::min(width, end - first);
+        fill(rays, first, count, packet.ray, valid);
+        std::fill_n(packet.hit.geomID, width, RTC_INVALID_GEOMETRY_ID);
+        std::fill_n(packet.hit.primID, width, no_triangle);
+        embree::intersect(scene, query, packet, valid.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool missed = packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID;
+            hits.t[first + i] = missed ? infinity : packet.ray.tfar[i];
+            hits.triangle[first + i] = missed ? no_triangle : packet.hit.primID[i];
+        }
+    }
+}
+
+void any_in_packets(RTCScene scene, const RayBatch& rays, bool coherent, std::size_t begin, std::size_t end,
+                    OcclusionBatch& occluded) {
+    Context context;
+    Query query(context, coherent, nullptr);
+    RTCRay16 packet{};
+    alignas(64) std::array<int, width> valid{};
+    for (std::size_t first = begin; first < end; first += width) {
+        const std::size_t count = std::min(width, end - first);
+        fill(rays, first, count, packet, valid);
+        embree::occluded(scene, query, packet, valid.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            occluded[first + i] = valid[i] != 0 && packet.tfar[i] < 0.0f;
+        }
+    }
+}
+
+template <class Work>
+void in_parallel(std::size_t count, const Work& work) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (count + width - 1) / width, rays_per_task / width),
+                      [&](const auto& range) {
+                          const FlushTinyNumbers flush;
+                          work(range.begin() * width, std::min(range.end() * width, count));
+                      });
+}
+
+bool are_neighbours(const RayBatch& rays) {
+    return rays.order == RayOrder::coherent || rays.common_origin.has_value();
+}
+
+}  // namespace
+
+EmbreeTracer::EmbreeTracer(const EmbreeOptions& options)
+    : options_(options), way_(options.rays), scene_(options.quality) {}
+
+rebuild::BuildReport EmbreeTracer::rebuild(const rebuild::TriangleView& triangles) {
+    triangles_ = triangles;
+    return scene_.build(triangles);
+}
+
+TraceReport EmbreeTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
+    hits.resize(rays.size());
+    if (scene_.empty()) {
+        std::fill(hits.t.begin(), hits.t.end(), infinity);
+        std::fill(hits.triangle.begin(), hits.triangle.end(), no_triangle);
+        return {.rays = rays.size()};
+    }
+    const bool resumed = !rays.after_triangle.empty();
+    if (resumed) scene_.allow_filters();
+
+    const auto trace = [&](std::size_t i, Query& query, const RTCRay& ray) {
+        RTCRayHit asked{.ray = ray, .hit = {}};
+        asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        if (ray.tfar >= 0.0f) embree::intersect(scene_.handle(), query, asked);
+        const bool missed = asked.hit.geomID == RTC_INVALID_GEOMETRY_ID;
+        hits.t[i] = missed ? infinity : asked.ray.tfar;
+        hits.triangle[i] = missed ? no_triangle : asked.hit.primID;
+    };
+    in_parallel(rays.size(), [&](std::size_t begin, std::size_t end) {
+        if (resumed) {
+            for_each_resumed(rays, triangles_, begin, end, trace);
+        } else if (in_packets(rays)) {
+            closest_in_packets(scene_.handle(), rays, are_neighbours(rays), begin, end, hits);
+        } else {
+            for_each_single(rays, begin, end, trace);
+        }
+    });
+    return {.rays = rays.size()};
+}
+
+TraceReport EmbreeTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded) {
+    occluded.resize(rays.size());
+    if (scene_.empty()) {
+        std::fill(occluded.begin(), occluded.end(), std::uint8_t{0});
+        return {.rays = rays.size()};
+    }
+    const bool resumed = !rays.after_triangle.empty();
+    if (resumed) scene_.allow_filters();
+
+    const auto trace = [&](std::size_t i, Query& query, RTCRay ray) {
+        const bool possible = ray.tfar >= 0.0f;
+        if (possible) embree::occluded(scene_.handle(), query, ray);
+        occluded[i] = possible && ray.tfar < 0.0f;
+    };
+    in_parallel(rays.size(), [&](std::size_t begin, std::size_t end) {
+        if (resumed) {
+            for_each_resumed(rays, triangles_, begin, end, trace);
+        } else if (in_packets(rays)) {
+            any_in_packets(scene_.handle(), rays, are_neighbours(rays), begin, end, occluded);
+        } else {
+            for_each_single(rays, begin, end, trace);
+        }
+    });
+    return {.rays = rays.size()};
+}
+
+std::size_t EmbreeTracer::ways() const {
+    return options_.rays == EmbreeRays::automatic ? 2 : 1;
+}
+
+void EmbreeTracer::take_way(std::size_t way) {
+    if (ways() > 1) way_ = way == 0 ? EmbreeRays::packets : EmbreeRays::single;
+}
+
+bool EmbreeTracer::in_packets(const RayBatch& rays) const {
+    return way_ == EmbreeRays::packets || (way_ == EmbreeRays::automatic && are_neighbours(rays));
+}
+
+}  // namespace gridreel::traversal
