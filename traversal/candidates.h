@@ -23,11 +23,13 @@ public:
     void forget() { met_.fill(no_triangle); }
 
     /// Adds a triangle unless the march met it lately. Forgetful: a triangle may be added again.
-    void add(std::uint32_t triangle) {
+    /// @return whether it was added
+    bool add(std::uint32_t triangle) {
         std::uint32_t& entry = met_[triangle % met_.size()];
-        if (entry == triangle) return;
+        if (entry == triangle) return false;
         entry = triangle;
         triangles_[count_++] = triangle;
+        return true;
     }
 
     [[nodiscard]] bool full() const { return count_ == capacity; }

@@ -11,6 +11,8 @@
 #include "traversal/grid_scene.h"
 #include "traversal/packet_intersect-inl.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -203,7 +205,7 @@ private:
                 i += at.level.references[i + 1] - 1;
                 continue;
             }
-            candidates_.add(reference);
+            if (candidates_.add(reference)) hwy::Prefetch(&scene_.triangles.triangles[reference]);
             if (candidates_.full()) flush(active, frustum);
         }
     }

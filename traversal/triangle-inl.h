@@ -136,7 +136,11 @@ HWY_INLINE Meeting<D> meet(D d, const EdgeFunctions<V>& edges, V slope_u, V slop
     };
     const V least =
         hn::Min(along_ray(edges.normal[0]), hn::Min(along_ray(edges.normal[1]), along_ray(edges.normal[2])));
-    auto inside = hn::Gt(least, edges.sure);
+    // Most blocks that a triangle's cone reaches into have no ray in it.
+    const auto touched = hn::And(hn::Ge(least, hn::Neg(edges.error)), hn::Le(edges.depth_min, best));
+    if (hn::AllFalse(d, touched)) return {touched, best};
+
+    auto inside = hn::And(touched, hn::Gt(least, edges.sure));
     // The edge functions add up to the same divisor, but each errs by its distance over its length more.
     V depth = hn::Div(edges.volume, along_ray(edges.plane));
 
@@ -144,8 +148,7 @@ HWY_INLINE Meeting<D> meet(D d, const EdgeFunctions<V>& edges, V slope_u, V slop
     const auto precise = hn::Lt(edges.sure, hn::Inf(d));
     const auto behind =
         hn::And(precise, hn::Gt(hn::Mul(depth, hn::Set(d, 1.0f - 2.0f * float(depth_error))), best));
-    const auto matters = hn::AndNot(behind, hn::Le(edges.depth_min, best));
-    const auto doubtful = hn::And(hn::AndNot(inside, hn::Ge(least, hn::Neg(edges.error))), matters);
+    const auto doubtful = hn::AndNot(behind, hn::AndNot(inside, touched));
     if (HWY_UNLIKELY(!hn::AllFalse(d, doubtful))) {
         HWY_ALIGN float depths[HWY_MAX_BYTES / sizeof(float)];
         HWY_ALIGN float is_inside[HWY_MAX_BYTES / sizeof(float)];
