@@ -96,7 +96,10 @@ void add_meshes(Json& root, const Document& document) {
             {"attributes", to_json(mesh.attributes)}, {"indices", mesh.indices}, {"material", mesh.material}};
         for (const Attributes& target : mesh.targets) primitive["targets"].push_back(to_json(target));
         Json json{{"name", mesh.name}, {"primitives", Json::array({std::move(primitive)})}};
-        if (!mesh.targets.empty()) json["weights"] = std::vector<int>(mesh.targets.size(), 0);
+        if (!mesh.weights.empty())
+            json["weights"] = mesh.weights;
+        else if (!mesh.targets.empty())
+            json["weights"] = std::vector<int>(mesh.targets.size(), 0);
         root["meshes"].push_back(std::move(json));
     }
     for (const Skin& skin : document.skins)

@@ -5,6 +5,7 @@
 #include "tools/gallery/scenes.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <fstream>
@@ -57,13 +58,15 @@ int main(int argc, char** argv) {
     std::string footer = "Scenes:";
     std::vector<std::string> names;
     for (const auto& scene : gallery::scene_makers) {
-        footer += "\n  " + std::string(scene.name) + ": " + std::string(scene.summary);
+        footer += fmt::format("\n  {}: {}, {} triangles{}", scene.name, scene.summary, scene.usual_triangles,
+                              scene.place == gallery::Place::bundled ? ", bundled" : "");
         names.emplace_back(scene.name);
     }
     app.footer(footer);
-    auto* const scene_option = app.add_option("scene", name, "One scene; without it, all of them as bundled")
-                                   ->check(CLI::IsMember(names));
-    app.add_option("--triangles", triangles, "About how many triangles (default: as bundled)")
+    auto* const scene_option =
+        app.add_option("scene", name, "One scene; without it, all bundled ones as they are")
+            ->check(CLI::IsMember(names));
+    app.add_option("--triangles", triangles, "About how many triangles (default: as below)")
         ->check(CLI::Range(std::size_t{1}, std::size_t{60'000'000}))
         ->needs(scene_option);
     app.add_option("-o,--output", output, "File to write (default: SCENE.glb)")->needs(scene_option);
@@ -77,13 +80,14 @@ int main(int argc, char** argv) {
     try {
         if (name.empty()) {
             for (const auto& scene : gallery::scene_makers) {
+                if (scene.place != gallery::Place::bundled) continue;
                 const std::string stem(scene.name);
-                write_scene(scene, scene.bundled_triangles,
+                write_scene(scene, scene.usual_triangles,
                             std::filesystem::path(folder) / stem / (stem + ".glb"));
             }
         } else {
             const gallery::SceneMaker& scene = scene_named(name);
-            write_scene(scene, triangles > 0 ? triangles : scene.bundled_triangles,
+            write_scene(scene, triangles > 0 ? triangles : scene.usual_triangles,
                         output.empty() ? name + ".glb" : output);
         }
     } catch (const std::exception& error) {
