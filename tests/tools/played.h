@@ -31,6 +31,8 @@ public:
     [[nodiscard]] const anim::Scene& scene() const { return scene_; }
     [[nodiscard]] const std::vector<glm::uvec3>& triangles() const { return geometry_.triangles; }
 
+    [[nodiscard]] const std::vector<anim::Part>& parts() const { return geometry_.parts; }
+
     /// World positions at a time, one per vertex.
     [[nodiscard]] std::vector<glm::vec3> positions(double time_s) {
         anim::deform(scene_, anim::pose(scene_, clip_, time_s), geometry_);

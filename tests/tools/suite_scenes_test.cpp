@@ -143,3 +143,35 @@ TEST_CASE("pieces of the exploding shell neither stretch nor lose triangles", "[
         CHECK(glm::length(last[t.y] - last[t.x]) ==
               Approx(glm::length(first[t.y] - first[t.x])).margin(1e-4));
 }
+
+TEST_CASE("the forest's figure has nearly all triangles", "[gallery]") {
+    Played forest(make_forest(174'000));
+    const auto positions = forest.positions(1.0);
+    std::size_t fine = 0, coarse = 0;
+    double longest_fine = 0.0, longest_coarse = 0.0;
+    glm::vec3 low(1e9f), high(-1e9f);
+    for (const auto& part : forest.parts()) {
+        (part.skinned ? fine : coarse) += part.triangle_count;
+        for (std::size_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+            const glm::uvec3& corners = forest.triangles()[t];
+            for (int i = 0; i < 3; ++i) {
+                const glm::vec3& p = positions[corners[i]];
+                const double edge = double(glm::length(positions[corners[(i + 1) % 3]] - p));
+                if (part.skinned) {
+                    low = glm::min(low, p);
+                    high = glm::max(high, p);
+                    longest_fine = std::max(longest_fine, edge);
+                } else {
+                    longest_coarse = std::max(longest_coarse, edge);
+                }
+            }
+        }
+    }
+    CHECK(std::abs(double(fine + coarse) - 174'000.0) <= 0.02 * 174'000.0);
+    CHECK(coarse < 6'000);
+    CHECK(coarse > 4'000);
+    // A person, walking; ground squares of 5 m.
+    CHECK(high.y - low.y == Approx(1.8).margin(0.1));
+    CHECK(longest_fine < 0.03);
+    CHECK(longest_coarse > 5.0);
+}

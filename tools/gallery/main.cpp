@@ -2,6 +2,7 @@
 
 #include "anim/error.h"
 #include "tools/gallery/glb_writer.h"
+#include "tools/gallery/restless.h"
 #include "tools/gallery/scenes.h"
 
 #include <CLI/CLI.hpp>
@@ -20,8 +21,7 @@ namespace {
 namespace gallery = gridreel::gallery;
 
 /// Writes beside the file first, so that a failure leaves neither half a scene nor harms an older one.
-void write_scene(const gallery::SceneMaker& scene, std::size_t triangles, const std::filesystem::path& file) {
-    const gallery::Document document = scene.make(triangles);
+void write_scene(const gallery::Document& document, const std::filesystem::path& file) {
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
     std::filesystem::path unfinished = file;
     unfinished += ".part";
@@ -66,7 +66,9 @@ int main(int argc, char** argv) {
     auto* const scene_option =
         app.add_option("scene", name, "One scene; without it, all bundled ones as they are")
             ->check(CLI::IsMember(names));
-    app.add_option("--triangles", triangles, "About how many triangles (default: as below)")
+    app.add_option("--triangles", triangles,
+                   "About how many triangles (default: as below). What would stand still then sways, so that "
+                   "every triangle moves in every frame")
         ->check(CLI::Range(std::size_t{1}, std::size_t{60'000'000}))
         ->needs(scene_option);
     app.add_option("-o,--output", output, "File to write (default: SCENE.glb)")->needs(scene_option);
@@ -82,13 +84,14 @@ int main(int argc, char** argv) {
             for (const auto& scene : gallery::scene_makers) {
                 if (scene.place != gallery::Place::bundled) continue;
                 const std::string stem(scene.name);
-                write_scene(scene, scene.usual_triangles,
+                write_scene(scene.make(scene.usual_triangles),
                             std::filesystem::path(folder) / stem / (stem + ".glb"));
             }
         } else {
             const gallery::SceneMaker& scene = scene_named(name);
-            write_scene(scene, triangles > 0 ? triangles : scene.usual_triangles,
-                        output.empty() ? name + ".glb" : output);
+            gallery::Document document = scene.make(triangles > 0 ? triangles : scene.usual_triangles);
+            if (triangles > 0) gallery::keep_moving(document);
+            write_scene(document, output.empty() ? name + ".glb" : output);
         }
     } catch (const std::exception& error) {
         std::cerr << "make_gallery: " << error.what() << '\n';

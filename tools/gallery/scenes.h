@@ -29,6 +29,9 @@ namespace gridreel::gallery {
 /// A hollow ball breaks into pieces that fly apart: node animation.
 [[nodiscard]] Document make_exploding(std::size_t triangles);
 
+/// A finely meshed figure walks among coarse trees in the wind: skin, node animation, a camera that follows.
+[[nodiscard]] Document make_forest(std::size_t triangles);
+
 /// In sequences/gallery, or made when something is measured.
 enum class Place { bundled, on_demand };
 
@@ -42,7 +45,7 @@ struct SceneMaker {
     Place place;
 };
 
-inline constexpr std::array<SceneMaker, 7> scene_makers{{
+inline constexpr std::array<SceneMaker, 8> scene_makers{{
     {"marbles", "rigid spheres fall into a bowl", make_marbles, 56'000, Place::bundled},
     {"walker", "a skinned figure walks", make_walker, 15'000, Place::bundled},
     {"sheet", "a curtain in the wind, by morph targets", make_sheet, 7'000, Place::bundled},
@@ -50,6 +53,7 @@ inline constexpr std::array<SceneMaker, 7> scene_makers{{
     {"soup", "small triangles drift, each its own way", make_soup, 80'000, Place::on_demand},
     {"needles", "long thin triangles spin", make_needles, 50'000, Place::on_demand},
     {"exploding", "a dense shell breaks into pieces", make_exploding, 250'000, Place::on_demand},
+    {"forest", "a fine figure among coarse trees", make_forest, 174'000, Place::on_demand},
 }};
 
 }  // namespace gridreel::gallery
