@@ -145,7 +145,7 @@ TEST_CASE("samplers of the same copy share their key times, still ones everythin
     std::vector<std::size_t> inputs;
     for (const auto& sampler : animation["samplers"]) inputs.push_back(sampler["input"]);
     std::ranges::sort(inputs);
-    inputs.erase(std::ranges::unique(inputs).begin(), inputs.end());
+    inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
     // The walk has one set of times for its joints, one for its companion and one for the camera.
     CHECK(inputs.size() <= 4 * 3);
     CHECK(animation["channels"].size() % 4 == 0);

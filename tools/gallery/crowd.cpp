@@ -90,14 +90,15 @@ std::vector<glm::dvec3> places(const anim::Box& box, std::size_t count) {
     const double spacing_x = 1.1 * size.x, spacing_z = 1.1 * std::max(size.z, 0.5 * size.x);
     // As long as wide.
     const double ideal_columns = std::max(1.0, std::sqrt(double(count) * spacing_z / spacing_x));
-    const std::size_t columns = std::min(count, static_cast<std::size_t>(ideal_columns + 0.5));
+    const std::size_t columns = std::min(count, static_cast<std::size_t>(std::round(ideal_columns)));
     const std::size_t rows = (count + columns - 1) / columns;
 
     std::vector<glm::dvec3> places;
     for (std::size_t copy = 0; copy < count; ++copy) {
-        const double column = double(copy % columns) - 0.5 * double(columns - 1);
-        const double row = double(copy / columns) - 0.5 * double(rows - 1);
-        places.push_back(glm::dvec3(spacing_x * column, 0.0, -spacing_z * row) - foot);
+        const std::size_t column = copy % columns, row = copy / columns;
+        const double right = spacing_x * (double(column) - 0.5 * double(columns - 1));
+        const double back = spacing_z * (double(row) - 0.5 * double(rows - 1));
+        places.push_back(glm::dvec3(right, 0.0, -back) - foot);
     }
     return places;
 }

@@ -44,7 +44,7 @@ Sampler without_splines(const Sampler& keys, ChannelPath path) {
     const double first = double(times.front()), last = double(times.back());
     for (int i = 1; first + i / 60.0 < last; ++i) times.push_back(static_cast<float>(first + i / 60.0));
     std::ranges::sort(times);
-    times.erase(std::ranges::unique(times).begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
 
     Sampler linear;
     linear.width = keys.width;
