@@ -40,7 +40,8 @@ struct Mesh {
     Attributes attributes{};
     Id indices = 0;
     Id material = 0;
-    std::vector<Attributes> targets{};  ///< morph targets, all weights zero by default
+    std::vector<Attributes> targets{};  ///< morph targets
+    std::vector<double> weights{};      ///< of the targets at rest; empty: all zero
 };
 
 /// Linear RGB. `glow` is an emission of that many times the base colour: the scenes' soft fill light.

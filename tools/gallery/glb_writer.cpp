@@ -96,7 +96,10 @@ void add_meshes(Json& root, const Document& document) {
             {"attributes", to_json(mesh.attributes)}, {"indices", mesh.indices}, {"material", mesh.material}};
         for (const Attributes& target : mesh.targets) primitive["targets"].push_back(to_json(target));
         Json json{{"name", mesh.name}, {"primitives", Json::array({std::move(primitive)})}};
-        if (!mesh.targets.empty()) json["weights"] = std::vector<int>(mesh.targets.size(), 0);
+        if (!mesh.weights.empty())
+            json["weights"] = mesh.weights;
+        else if (!mesh.targets.empty())
+            json["weights"] = std::vector<int>(mesh.targets.size(), 0);
         root["meshes"].push_back(std::move(json));
     }
     for (const Skin& skin : document.skins)
@@ -162,10 +165,7 @@ std::string json_chunk(const Document& document) {
     add_looks(root, document);
     add_animation(root, document);
     add_accessors(root, document);
-
-    std::string text = root.dump();
-    text.resize(padded(text.size()), ' ');
-    return text;
+    return root.dump();
 }
 
 // --- Bytes ---------------------------------------------------------------------------------------
@@ -184,15 +184,12 @@ std::size_t triangle_count(const Document& document) {
     return count;
 }
 
-void write_glb(const Document& document, std::ostream& out) {
-    const std::string json = json_chunk(document);
-    std::size_t binary_size = 0;
-    for (const Accessor& accessor : document.accessors) binary_size += padded(accessor.bytes.size());
-
+void write_glb_head(std::string json, std::size_t binary_size, std::string_view name, std::ostream& out) {
+    json.resize(padded(json.size()), ' ');
     const std::size_t size = 12 + 8 + json.size() + 8 + binary_size;
     if (size > std::numeric_limits<std::uint32_t>::max())
-        throw Error(fmt::format("the scene takes {} bytes, and a .glb holds less than 4 GiB", size),
-                    document.name, "ask for fewer --triangles");
+        throw Error(fmt::format("the scene takes {} bytes, and a .glb holds less than 4 GiB", size), name,
+                    "ask for fewer triangles or copies");
 
     constexpr std::uint32_t gltf_magic = 0x46546C67, json_type = 0x4E4F534A, binary_type = 0x004E4942;
     for (const std::size_t word : {std::size_t{gltf_magic}, std::size_t{2}, size}) put(out, word);
@@ -201,6 +198,12 @@ void write_glb(const Document& document, std::ostream& out) {
     out << json;
     put(out, binary_size);
     put(out, binary_type);
+}
+
+void write_glb(const Document& document, std::ostream& out) {
+    std::size_t binary_size = 0;
+    for (const Accessor& accessor : document.accessors) binary_size += padded(accessor.bytes.size());
+    write_glb_head(json_chunk(document), binary_size, document.name, out);
     for (const Accessor& accessor : document.accessors) {
         out.write(reinterpret_cast<const char*>(accessor.bytes.data()),
                   static_cast<std::streamsize>(accessor.bytes.size()));
