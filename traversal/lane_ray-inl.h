@@ -11,6 +11,7 @@
 #include "traversal/ray_frame.h"
 #include "traversal/triangle-inl.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,40 +20,64 @@ HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
 namespace HWY_NAMESPACE {
 
-/// One ray in the form the lane kernel wants it.
+/// One ray, which meets up to eight triangles at a time, one a lane.
 class LaneRay {
 public:
+    static constexpr std::size_t width = 8;
+
     LaneRay(const glm::vec3& origin, const RayFrame& ray)
         : origin_(origin), ray_(ray), axes_{ray.axes.k, ray.axes.u(), ray.axes.v()} {}
 
-    /// Depth of the hit, wherever on the ray's line, or NaN.
-    [[nodiscard]] float meet_triangle(const rebuild::TriangleView& triangles, std::uint32_t triangle) const {
-        const glm::uvec3& indices = triangles.triangles[triangle];
-        const FramedPoint a = corner(triangles.positions[indices.x]);
-        const FramedPoint b = corner(triangles.positions[indices.y]);
-        const FramedPoint c = corner(triangles.positions[indices.z]);
-        const auto edges =
-            edge_functions(lane, in_lane(a), in_lane(b), in_lane(c), hn::Set(lane, ray_.axes.sign()));
-        const auto met =
-            meet(lane, edges, hn::Set(lane, ray_.slope_u), hn::Set(lane, ray_.slope_v), hn::Inf(lane),
-                 [&](std::size_t) {
-                     return meet_in_double(a, b, c, ray_.axes.sign(), ray_.slope_u, ray_.slope_v);
-                 });
-        return hn::GetLane(hn::IfThenElse(met.inside, met.depth, hn::NaN(lane)));
+    /// Depths of the hits, wherever on the ray's line, or NaN.
+    /// @param count  1 to `width`
+    /// @param best   hits behind it may be left out
+    void meet_triangles(const rebuild::TriangleView& view, const std::uint32_t* triangles, std::size_t count,
+                        float best, float* depths) const {
+        const Tag d;
+        HWY_ALIGN float corners[3][width][4];
+        gather(view, triangles, count, corners);
+        for (std::size_t first = 0; first < count; first += hn::Lanes(d)) {
+            const auto corner = [&](int which) {
+                Vec axis[3], unused;
+                hn::LoadInterleaved4(d, corners[which][first], axis[0], axis[1], axis[2], unused);
+                const auto along = [&](int i) {
+                    return hn::Sub(axis[axes_[std::size_t(i)]], hn::Set(d, origin_[axes_[std::size_t(i)]]));
+                };
+                return Vec3<Vec>{along(0), along(1), along(2)};
+            };
+            const auto decide = [&](std::size_t lane) {
+                const auto point = [&](int which) { return in_frame(corners[which][first + lane]); };
+                return meet_in_double(point(0), point(1), point(2), ray_.axes.sign(), ray_.slope_u,
+                                      ray_.slope_v);
+            };
+            const auto edges =
+                edge_functions(d, corner(0), corner(1), corner(2), hn::Set(d, ray_.axes.sign()));
+            const auto met =
+                meet(d, edges, hn::Set(d, ray_.slope_u), hn::Set(d, ray_.slope_v), hn::Set(d, best), decide);
+            hn::StoreU(hn::IfThenElse(met.inside, met.depth, hn::NaN(d)), d, depths + first);
+        }
     }
 
 private:
-    static constexpr hn::CappedTag<float, 1> lane{};
-    using V = hn::Vec<hn::CappedTag<float, 1>>;
+    using Tag = hn::CappedTag<float, width>;
+    using Vec = hn::Vec<Tag>;
 
-    [[nodiscard]] FramedPoint corner(const glm::vec3& p) const {
-        return {.k = p[axes_[0]] - origin_[axes_[0]],
-                .u = p[axes_[1]] - origin_[axes_[1]],
-                .v = p[axes_[2]] - origin_[axes_[2]]};
+    /// Copies corners as they stand in memory; the last triangle fills what is left.
+    static void gather(const rebuild::TriangleView& view, const std::uint32_t* triangles, std::size_t count,
+                       float (&corners)[3][width][4]) {
+        const hn::FixedTag<float, 4> four;
+        const auto last_vertex = static_cast<std::uint32_t>(view.positions.size() - 1);
+        for (std::size_t i = 0; i < width; ++i) {
+            const glm::uvec3& indices = view.triangles[triangles[std::min(i, count - 1)]];
+            for (int which = 0; which < 3; ++which) {
+                copy_position(four, view.positions, indices[which], last_vertex, corners[which][i]);
+            }
+        }
     }
 
-    [[nodiscard]] static Vec3<V> in_lane(const FramedPoint& p) {
-        return {hn::Set(lane, p.k), hn::Set(lane, p.u), hn::Set(lane, p.v)};
+    [[nodiscard]] FramedPoint in_frame(const float* p) const {
+        const auto along = [&](std::size_t i) { return p[axes_[i]] - origin_[axes_[i]]; };
+        return {.k = along(0), .u = along(1), .v = along(2)};
     }
 
     glm::vec3 origin_;

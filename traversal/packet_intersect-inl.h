@@ -79,15 +79,7 @@ HWY_INLINE void gather(const rebuild::TriangleView& view, const std::uint32_t* t
     for (std::size_t i = 0; i < group; ++i) {
         const glm::uvec3& indices = view.triangles[triangles[std::min(i, count - 1)]];
         for (int which = 0; which < 3; ++which) {
-            const std::uint32_t vertex = indices[which];
-            const float* from = &view.positions[vertex].x;
-            float* to = corners.corner[which][i];
-            if (HWY_LIKELY(vertex != last_vertex)) {
-                hn::Store(hn::LoadU(four, from), four, to);
-            } else {
-                std::copy_n(from, 3, to);  // nothing may be read behind the last vertex
-                to[3] = 0.0f;
-            }
+            copy_position(four, view.positions, indices[which], last_vertex, corners.corner[which][i]);
         }
     }
 }

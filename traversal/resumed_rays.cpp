@@ -8,6 +8,8 @@
 
 #include "traversal/lane_ray-inl.h"
 
+#include <limits>
+
 #if HWY_ONCE
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -21,7 +23,10 @@ void meet_again(const RayBatch& rays, const rebuild::TriangleView& triangles, st
                 std::size_t end, float* depths) {
     for (std::size_t i = begin; i < end; ++i) {
         const LaneRay ray(rays.origin_of(i), ray_frame(rays.direction_of(i), 0.0f, rays.t_max[i]));
-        depths[i] = ray.meet_triangle(triangles, rays.after_triangle[i]);
+        float met[LaneRay::width];
+        ray.meet_triangles(triangles, &rays.after_triangle[i], 1, std::numeric_limits<float>::infinity(),
+                           met);
+        depths[i] = met[0];
     }
 }
 

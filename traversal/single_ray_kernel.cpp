@@ -65,14 +65,11 @@ private:
         const rebuild::GridLevel& level = scene_.grid.levels[depth];
         for (RayWalk at(level.grids[index], origin_, ray_); at.inside(); at.advance()) {
             ++report_.cells;
-            const std::uint32_t end = level.cell_begin[at.cell() + 1];
-            for (std::uint32_t i = level.cell_begin[at.cell()]; i < end; ++i) {
-                const std::uint32_t reference = level.references[i];
-                if ((reference & rebuild::nested_mark) != 0) {
-                    if (walk(depth + 1, reference & ~rebuild::nested_mark)) return true;
-                    break;
-                }
-                if (mailbox_.first_meeting(reference) && meet(reference)) return true;
+            const std::uint32_t begin = level.cell_begin[at.cell()], end = level.cell_begin[at.cell() + 1];
+            if (begin < end && (level.references[begin] & rebuild::nested_mark) != 0) {
+                if (walk(depth + 1, level.references[begin] & ~rebuild::nested_mark)) return true;
+            } else if (meet(level.references.data() + begin, end - begin)) {
+                return true;
             }
             // A hit beyond this cell is kept, but a nearer one may wait in the cells between.
             if (double(hit_.depth) * (1.0 + depth_error) <= at.exit_depth()) break;
@@ -80,16 +77,36 @@ private:
         return false;
     }
 
+    /// The triangles of one cell.
     /// @return whether nothing more is wanted
-    bool meet(std::uint32_t triangle) {
-        ++report_.triangle_tests;
-        const float depth = lane_ray_.meet_triangle(scene_.triangles, triangle);
-        const bool begun = depth > ray_.depth_min || (depth == ray_.depth_min && triangle > ray_.after);
-        if (!(begun && depth < ray_.depth_max)) return false;
-        if (depth < hit_.depth || (depth == hit_.depth && triangle < hit_.triangle)) {
-            hit_ = {.depth = depth, .triangle = triangle};
+    bool meet(const std::uint32_t* triangles, std::size_t count) {
+        std::uint32_t waiting[LaneRay::width];
+        std::size_t waiting_count = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!mailbox_.first_meeting(triangles[i])) continue;
+            waiting[waiting_count++] = triangles[i];
+            if (waiting_count < LaneRay::width) continue;
+            if (meet_waiting(waiting, waiting_count)) return true;
+            waiting_count = 0;
         }
-        return wanted == Wanted::any;
+        return waiting_count > 0 && meet_waiting(waiting, waiting_count);
+    }
+
+    bool meet_waiting(const std::uint32_t* triangles, std::size_t count) {
+        report_.triangle_tests += count;
+        HWY_ALIGN float depths[LaneRay::width];
+        lane_ray_.meet_triangles(scene_.triangles, triangles, count, hit_.depth, depths);
+        for (std::size_t i = 0; i < count; ++i) {
+            const float depth = depths[i];
+            const bool begun =
+                depth > ray_.depth_min || (depth == ray_.depth_min && triangles[i] > ray_.after);
+            if (!(begun && depth < ray_.depth_max)) continue;
+            if (depth < hit_.depth || (depth == hit_.depth && triangles[i] < hit_.triangle)) {
+                hit_ = {.depth = depth, .triangle = triangles[i]};
+            }
+            if (wanted == Wanted::any) return true;
+        }
+        return false;
     }
 
     const GridScene& scene_;
