@@ -147,8 +147,8 @@ rebuild::BuildReport WaveTracer::rebuild(traversal::Tracer& tracer) const {
 WaveReport WaveTracer::trace(traversal::Tracer& tracer, Bounce bounce) {
     State& s = *state_;
     WaveReport report;
-    report.shadow.resize(tracer.ways());
-    if (bounce == Bounce::traced) report.bounce.resize(tracer.ways());
+    report.shadow.resize(tracer.ways().size());
+    if (bounce == Bounce::traced) report.bounce.resize(tracer.ways().size());
     const View view = s.shot.camera().view(s.pose);
     const Lighting lighting = s.shot.lighting_in(s.pose);
     for (std::size_t i = 0; i < s.shot.band_count(); ++i) {

@@ -54,10 +54,13 @@ void apply_job_file(const std::filesystem::path& file, CLI::App& app) {
         }
         if (on_command_line(app, *option, entry.key)) continue;  // the command line wins
 
-        std::string value = fmt::format("{}", fmt::join(entry.values, ","));
-        if (entry.key == scene_key) value = (file.parent_path() / value).string();
         try {
-            option->add_result(value);
+            if (entry.key == scene_key) {
+                for (const std::string& scene : entry.values)
+                    option->add_result((file.parent_path() / scene).string());
+            } else {
+                option->add_result(fmt::format("{}", fmt::join(entry.values, ",")));
+            }
             option->run_callback();
         } catch (const CLI::ParseError& error) {
             throw UsageError(error.what(), where);

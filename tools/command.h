@@ -51,7 +51,10 @@ struct TakeText {
 
 enum class FrameOption { offered, left_out };
 
-/// SCENE -f --fps --animation --scene.
+/// -f --fps --animation --scene.
+void add_clip_options(CLI::App& app, TakeText& text, FrameOption frames);
+
+/// SCENE, and those of `add_clip_options`.
 void add_take_options(CLI::App& app, TakeText& text, FrameOption frames);
 
 /// @throws sequences::UsageError

@@ -55,8 +55,7 @@ void refuse_empty_values(CLI::App& app) {
     for (CLI::Option* const option : app.get_options()) option->check(not_empty);
 }
 
-void add_take_options(CLI::App& app, TakeText& text, FrameOption frames) {
-    app.add_option("SCENE", text.scene_file, "Scene: .glb or .gltf")->type_name("");
+void add_clip_options(CLI::App& app, TakeText& text, FrameOption frames) {
     if (frames == FrameOption::offered) {
         app.add_option("-f,--frames", text.frames, "7, 1-240, 1-240x2, 1,5,10-20, -5--1")
             ->type_name("LIST")
@@ -76,6 +75,11 @@ void add_take_options(CLI::App& app, TakeText& text, FrameOption frames) {
         ->type_name("N")
         ->default_str("the file's default")
         ->group("What to play");
+}
+
+void add_take_options(CLI::App& app, TakeText& text, FrameOption frames) {
+    app.add_option("SCENE", text.scene_file, "Scene: .glb or .gltf")->type_name("");
+    add_clip_options(app, text, frames);
 }
 
 sequences::Take read_take(const TakeText& text) {

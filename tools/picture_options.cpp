@@ -46,17 +46,20 @@ void add_picture_options(CLI::App& app, PictureText& text) {
         ->group(group);
 }
 
-void add_grid_options(CLI::App& app, PictureText& text) {
-    const char* const group = "Machine";
-    app.add_option("--lambda", text.lambda, "Grid cells per triangle: a number, paper (5), or auto")
-        ->type_name("R")
-        ->capture_default_str()
-        ->group(group);
+void add_max_cells_option(CLI::App& app, PictureText& text) {
     app.add_option("--max-cells", text.max_cells, "Most grid cells")
         ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 30).description(""))
         ->type_name("N")
         ->capture_default_str()
-        ->group(group);
+        ->group("Machine");
+}
+
+void add_grid_options(CLI::App& app, PictureText& text) {
+    app.add_option("--lambda", text.lambda, "Grid cells per triangle: a number, paper (5), or auto")
+        ->type_name("R")
+        ->capture_default_str()
+        ->group("Machine");
+    add_max_cells_option(app, text);
 }
 
 engine::RenderSettings read_picture(const PictureText& text) {

@@ -28,6 +28,9 @@ struct PictureText {
 /// --camera --size --spp --seed --lights --background --exposure.
 void add_picture_options(CLI::App& app, PictureText& text);
 
+/// --max-cells.
+void add_max_cells_option(CLI::App& app, PictureText& text);
+
 /// --lambda --max-cells.
 void add_grid_options(CLI::App& app, PictureText& text);
 

@@ -3,6 +3,7 @@
 #include "sequences/render_text.h"
 #include "sequences/run_job.h"
 #include "sequences/timing_table.h"
+#include "tools/accel.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
 #include "tools/picture_options.h"
@@ -74,11 +75,8 @@ void add_output_options(CLI::App& app, RenderText& text) {
 }
 
 void add_machine_options(CLI::App& app, RenderText& text) {
-    std::vector<std::string> accels;
-    for (const auto kind : traversal::tracer_kinds()) accels.emplace_back(traversal::name_of(kind));
     add_threads_option(app, text.threads);
-    app.add_option("--accel", text.accel, fmt::format("Acceleration structure: {}", fmt::join(accels, ", ")))
-        ->check(CLI::IsMember(accels).description(""))
+    app.add_option("--accel", text.accel, fmt::format("Acceleration structure: {}", accel_names()))
         ->type_name("NAME")
         ->capture_default_str()
         ->group("Machine");
@@ -96,7 +94,7 @@ Job read_job(const RenderText& text) {
     job.log = text.log.empty() ? sequences::default_log(job.output, job.take.scene_file)
                                : std::filesystem::path(text.log);
     job.render = read_picture(text.picture);
-    job.render.tracer.kind = traversal::tracer_kind(text.accel).value();
+    job.render.tracer.kind = read_accel(text.accel);
     job.threads = thread_count(text.threads);
     job.keep_going = text.keep_going;
     return job;

@@ -297,12 +297,14 @@ TraceReport EmbreeTracer::any_hits(const RayBatch& rays, OcclusionBatch& occlude
     return {.rays = rays.size()};
 }
 
-std::size_t EmbreeTracer::ways() const {
-    return options_.rays == EmbreeRays::automatic ? 2 : 1;
+std::span<const std::string_view> EmbreeTracer::ways() const {
+    static constexpr std::array<std::string_view, 2> both{"packets", "single"};
+    if (options_.rays == EmbreeRays::automatic) return both;
+    return std::span(both).subspan(options_.rays == EmbreeRays::single ? 1 : 0, 1);
 }
 
 void EmbreeTracer::take_way(std::size_t way) {
-    if (ways() > 1) way_ = way == 0 ? EmbreeRays::packets : EmbreeRays::single;
+    way_ = ways()[way] == "single" ? EmbreeRays::single : EmbreeRays::packets;
 }
 
 bool EmbreeTracer::in_packets(const RayBatch& rays) const {

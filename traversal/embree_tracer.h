@@ -4,6 +4,10 @@
 #include "traversal/embree_scene.h"
 #include "traversal/tracer.h"
 
+#include <cstddef>
+#include <span>
+#include <string_view>
+
 namespace gridreel::traversal {
 
 /// Rebuilds Embree's hierarchy from the caller's own buffers and asks it 16 rays, or one ray, at a time.
@@ -25,7 +29,7 @@ public:
     TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) override;
 
     /// Packets, then single rays; just one of them when the options say which.
-    [[nodiscard]] std::size_t ways() const override;
+    [[nodiscard]] std::span<const std::string_view> ways() const override;
     void take_way(std::size_t way) override;
 
 private:

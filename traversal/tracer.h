@@ -46,9 +46,11 @@ public:
     /// Fills `occluded` (resized) with whether anything blocks each ray.
     virtual TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) = 0;
 
-    /// In how many ways rays can be asked of the same structure, where only measuring tells the fastest; from
-    /// now on they are asked in one of these. For benchmarks.
-    [[nodiscard]] virtual std::size_t ways() const { return 1; }
+    /// The ways in which rays can be asked of the same structure, by name, where only measuring tells which is
+    /// the fastest. For benchmarks.
+    [[nodiscard]] virtual std::span<const std::string_view> ways() const;
+
+    /// From now on rays are asked in this one of the ways.
     virtual void take_way(std::size_t /*way*/) {}
 };
 
