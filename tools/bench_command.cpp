@@ -306,7 +306,7 @@ Command add_bench_command(CLI::App& program) {
     CLI::App* const app = program.add_subcommand(
         "bench", "Measure rebuild and trace, structures side by side; writes no images");
     const auto text = std::make_shared<BenchText>();
-    app->add_option("SCENE", text->scene_files, "Scenes: .glb or .gltf")->type_name("...");
+    app->add_option("SCENE", text->scene_files, "Scenes: .glb or .gltf")->type_name("");
     add_clip_options(*app, text->take, FrameOption::offered);
     add_comparison_options(*app, *text);
     add_measure_options(*app, *text);
