@@ -92,10 +92,11 @@ void add_comparison_options(CLI::App& app, BenchText& text) {
         ->type_name("LIST")
         ->default_str("low")
         ->group(group);
-    app.add_option("--embree-rays", text.embree_rays,
-                   "Rays for Embree: packets of 16, single, or auto: both, and the quicker counts")
-        ->check(CLI::IsMember({"auto", "packets", "single"}).description(""))
-        ->type_name("auto|packets|single")
+    app.add_option(
+           "--embree-rays", text.embree_rays,
+           "Rays for Embree: packets of 16, sorted first, single, or auto: each, and the quickest counts")
+        ->check(CLI::IsMember({"auto", "packets", "sorted", "single"}).description(""))
+        ->type_name("auto|packets|sorted|single")
         ->capture_default_str()
         ->group(group);
 }
@@ -155,8 +156,10 @@ double parse_percent(const std::string& text) {
 std::vector<NamedTracer> read_tracers(const BenchText& text, const traversal::TracerOptions& basis) {
     const std::map<std::string, EmbreeQuality> qualities{
         {"low", EmbreeQuality::low}, {"medium", EmbreeQuality::medium}, {"refit", EmbreeQuality::refit}};
-    const std::map<std::string, EmbreeRays> rays{
-        {"auto", EmbreeRays::automatic}, {"packets", EmbreeRays::packets}, {"single", EmbreeRays::single}};
+    const std::map<std::string, EmbreeRays> rays{{"auto", EmbreeRays::automatic},
+                                                 {"packets", EmbreeRays::packets},
+                                                 {"sorted", EmbreeRays::sorted},
+                                                 {"single", EmbreeRays::single}};
     std::vector<NamedTracer> tracers;
     for (const std::string& accel : text.accels) {
         traversal::TracerOptions options = basis;

@@ -54,31 +54,42 @@ bool can_hit(const glm::vec3& origin, const glm::vec3& direction, float t_min, f
 
 /// Rays in Embree's way ---------------------------------------------------------------------------------
 
-void copy_lanes(const rebuild::Buffer<float>& from, std::size_t first, std::size_t count, float* to) {
-    if (count == width) {
-        std::memcpy(to, from.data() + first, width * sizeof(float));
+/// The rays of one packet: `count` of them from `first` on, in the batch's own order or another.
+struct Lanes {
+    std::size_t first = 0, count = 0;
+    const std::uint32_t* order = nullptr;
+
+    [[nodiscard]] std::size_t ray(std::size_t lane) const {
+        return order ? order[first + lane] : first + lane;
+    }
+};
+
+void copy_lanes(const rebuild::Buffer<float>& from, const Lanes& lanes, float* to) {
+    if (lanes.order) {
+        for (std::size_t i = 0; i < lanes.count; ++i) to[i] = from[lanes.order[lanes.first + i]];
+    } else if (lanes.count == width) {
+        std::memcpy(to, from.data() + lanes.first, width * sizeof(float));
     } else {
-        std::copy_n(from.data() + first, count, to);
+        std::copy_n(from.data() + lanes.first, lanes.count, to);
     }
 }
 
-/// Rays `first` to `first + count` of the batch, and which of them can hit anything.
-void fill(const RayBatch& rays, std::size_t first, std::size_t count, RTCRay16& packet,
-          std::array<int, width>& valid) {
+/// Fills a packet, and says which of its rays can hit anything.
+void fill(const RayBatch& rays, const Lanes& lanes, RTCRay16& packet, std::array<int, width>& valid) {
     if (rays.common_origin) {
         std::fill_n(packet.org_x, width, rays.common_origin->x);
         std::fill_n(packet.org_y, width, rays.common_origin->y);
         std::fill_n(packet.org_z, width, rays.common_origin->z);
     } else {
-        copy_lanes(rays.origin[0], first, count, packet.org_x);
-        copy_lanes(rays.origin[1], first, count, packet.org_y);
-        copy_lanes(rays.origin[2], first, count, packet.org_z);
+        copy_lanes(rays.origin[0], lanes, packet.org_x);
+        copy_lanes(rays.origin[1], lanes, packet.org_y);
+        copy_lanes(rays.origin[2], lanes, packet.org_z);
     }
-    copy_lanes(rays.direction[0], first, count, packet.dir_x);
-    copy_lanes(rays.direction[1], first, count, packet.dir_y);
-    copy_lanes(rays.direction[2], first, count, packet.dir_z);
-    copy_lanes(rays.t_min, first, count, packet.tnear);
-    copy_lanes(rays.t_max, first, count, packet.tfar);
+    copy_lanes(rays.direction[0], lanes, packet.dir_x);
+    copy_lanes(rays.direction[1], lanes, packet.dir_y);
+    copy_lanes(rays.direction[2], lanes, packet.dir_z);
+    copy_lanes(rays.t_min, lanes, packet.tnear);
+    copy_lanes(rays.t_max, lanes, packet.tfar);
     std::fill_n(packet.time, width, 0.0f);
     std::fill_n(packet.mask, width, ~0u);
     std::fill_n(packet.flags, width, 0u);
@@ -93,7 +104,7 @@ void fill(const RayBatch& rays, std::size_t first, std::size_t count, RTCRay16& 
                            (std::fabs(packet.org_z[i]) <= largest);
         valid[i] = sound ? -1 : 0;
     }
-    std::fill(valid.begin() + static_cast<std::ptrdiff_t>(count), valid.end(), 0);
+    std::fill(valid.begin() + static_cast<std::ptrdiff_t>(lanes.count), valid.end(), 0);
 }
 
 RTCRay single_ray(const RayBatch& rays, std::size_t index, float t_min) {
@@ -182,38 +193,47 @@ void for_each_single(const RayBatch& rays, std::size_t begin, std::size_t end, c
     for (std::size_t i = begin; i < end; ++i) trace(i, query, single_ray(rays, i, rays.t_min[i]));
 }
 
-void closest_in_packets(RTCScene scene, const RayBatch& rays, bool coherent, std::size_t begin,
-                        std::size_t end, HitBatch& hits) {
+/// Which rays of a batch to trace in packets, and how.
+struct PacketRun {
+    std::size_t begin = 0, end = 0;
+    const std::uint32_t* order = nullptr;
+    bool coherent = false;
+
+    [[nodiscard]] Lanes lanes(std::size_t first) const {
+        return {.first = first, .count = std::min(width, end - first), .order = order};
+    }
+};
+
+void closest_in_packets(RTCScene scene, const RayBatch& rays, const PacketRun& run, HitBatch& hits) {
     Context context;
-    Query query(context, coherent, nullptr);
+    Query query(context, run.coherent, nullptr);
     RTCRayHit16 packet{};
     alignas(64) std::array<int, width> valid{};
-    for (std::size_t first = begin; first < end; first += width) {
-        const std::size_t count = std::min(width, end - first);
-        fill(rays, first, count, packet.ray, valid);
+    for (std::size_t first = run.begin; first < run.end; first += width) {
+        const Lanes lanes = run.lanes(first);
+        fill(rays, lanes, packet.ray, valid);
         std::fill_n(packet.hit.geomID, width, RTC_INVALID_GEOMETRY_ID);
         std::fill_n(packet.hit.primID, width, no_triangle);
         embree::intersect(scene, query, packet, valid.data());
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < lanes.count; ++i) {
             const bool missed = packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID;
-            hits.t[first + i] = missed ? infinity : packet.ray.tfar[i];
-            hits.triangle[first + i] = missed ? no_triangle : packet.hit.primID[i];
+            hits.t[lanes.ray(i)] = missed ? infinity : packet.ray.tfar[i];
+            hits.triangle[lanes.ray(i)] = missed ? no_triangle : packet.hit.primID[i];
         }
     }
 }
 
-void any_in_packets(RTCScene scene, const RayBatch& rays, bool coherent, std::size_t begin, std::size_t end,
-                    OcclusionBatch& occluded) {
+void any_in_packets(RTCScene scene, const RayBatch& rays, const PacketRun& run, OcclusionBatch& occluded) {
     Context context;
-    Query query(context, coherent, nullptr);
+    Query query(context, run.coherent, nullptr);
     RTCRay16 packet{};
     alignas(64) std::array<int, width> valid{};
-    for (std::size_t first = begin; first < end; first += width) {
-        const std::size_t count = std::min(width, end - first);
-        fill(rays, first, count, packet, valid);
+    for (std::size_t first = run.begin; first < run.end; first += width) {
+        const Lanes lanes = run.lanes(first);
+        fill(rays, lanes, packet, valid);
         embree::occluded(scene, query, packet, valid.data());
-        for (std::size_t i = 0; i < count; ++i) {
-            occluded[first + i] = valid[i] != 0 && packet.tfar[i] < 0.0f;
+        for (std::size_t i = 0; i < lanes.count; ++i) {
+            occluded[lanes.ray(i)] = valid[i] != 0 && packet.tfar[i] < 0.0f;
         }
     }
 }
@@ -250,6 +270,7 @@ TraceReport EmbreeTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
     }
     const bool resumed = !rays.after_triangle.empty();
     if (resumed) scene_.allow_filters();
+    const std::uint32_t* const order = resumed ? nullptr : order_of(rays);
 
     const auto trace = [&](std::size_t i, Query& query, const RTCRay& ray) {
         RTCRayHit asked{.ray = ray, .hit = {}};
@@ -263,7 +284,9 @@ TraceReport EmbreeTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
         if (resumed) {
             for_each_resumed(rays, triangles_, begin, end, trace);
         } else if (in_packets(rays)) {
-            closest_in_packets(scene_.handle(), rays, are_neighbours(rays), begin, end, hits);
+            closest_in_packets(scene_.handle(), rays,
+                               {.begin = begin, .end = end, .order = order, .coherent = are_neighbours(rays)},
+                               hits);
         } else {
             for_each_single(rays, begin, end, trace);
         }
@@ -279,6 +302,7 @@ TraceReport EmbreeTracer::any_hits(const RayBatch& rays, OcclusionBatch& occlude
     }
     const bool resumed = !rays.after_triangle.empty();
     if (resumed) scene_.allow_filters();
+    const std::uint32_t* const order = resumed ? nullptr : order_of(rays);
 
     const auto trace = [&](std::size_t i, Query& query, RTCRay ray) {
         const bool possible = ray.tfar >= 0.0f;
@@ -289,7 +313,9 @@ TraceReport EmbreeTracer::any_hits(const RayBatch& rays, OcclusionBatch& occlude
         if (resumed) {
             for_each_resumed(rays, triangles_, begin, end, trace);
         } else if (in_packets(rays)) {
-            any_in_packets(scene_.handle(), rays, are_neighbours(rays), begin, end, occluded);
+            any_in_packets(scene_.handle(), rays,
+                           {.begin = begin, .end = end, .order = order, .coherent = are_neighbours(rays)},
+                           occluded);
         } else {
             for_each_single(rays, begin, end, trace);
         }
@@ -298,17 +324,33 @@ TraceReport EmbreeTracer::any_hits(const RayBatch& rays, OcclusionBatch& occlude
 }
 
 std::span<const std::string_view> EmbreeTracer::ways() const {
-    static constexpr std::array<std::string_view, 2> both{"packets", "single"};
-    if (options_.rays == EmbreeRays::automatic) return both;
-    return std::span(both).subspan(options_.rays == EmbreeRays::single ? 1 : 0, 1);
+    static constexpr std::array<std::string_view, 3> all{"packets", "sorted packets", "single"};
+    const auto only = [](std::size_t way) { return std::span(all).subspan(way, 1); };
+    switch (options_.rays) {
+        case EmbreeRays::automatic:
+            break;
+        case EmbreeRays::packets:
+            return only(0);
+        case EmbreeRays::sorted:
+            return only(1);
+        case EmbreeRays::single:
+            return only(2);
+    }
+    return all;
 }
 
 void EmbreeTracer::take_way(std::size_t way) {
-    way_ = ways()[way] == "single" ? EmbreeRays::single : EmbreeRays::packets;
+    constexpr std::array all{EmbreeRays::packets, EmbreeRays::sorted, EmbreeRays::single};
+    if (options_.rays == EmbreeRays::automatic) way_ = all[way];
 }
 
 bool EmbreeTracer::in_packets(const RayBatch& rays) const {
-    return way_ == EmbreeRays::packets || (way_ == EmbreeRays::automatic && are_neighbours(rays));
+    return way_ == EmbreeRays::automatic ? are_neighbours(rays) : way_ != EmbreeRays::single;
+}
+
+const std::uint32_t* EmbreeTracer::order_of(const RayBatch& rays) {
+    const bool sorts = way_ == EmbreeRays::sorted && rays.common_origin && rays.order == RayOrder::arbitrary;
+    return sorts ? ray_sort_.sort(rays).order.data() : nullptr;
 }
 
 }  // namespace gridreel::traversal

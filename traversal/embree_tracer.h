@@ -2,9 +2,11 @@
 // Embree behind the tracer interface: what the grid is measured against.
 
 #include "traversal/embree_scene.h"
+#include "traversal/ray_sort.h"
 #include "traversal/tracer.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -28,17 +30,21 @@ public:
     TraceReport closest_hits(const RayBatch& rays, HitBatch& hits) override;
     TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) override;
 
-    /// Packets, then single rays; just one of them when the options say which.
+    /// Packets, sorted packets, single rays; just one of them when the options say which.
     [[nodiscard]] std::span<const std::string_view> ways() const override;
     void take_way(std::size_t way) override;
 
 private:
     [[nodiscard]] bool in_packets(const RayBatch& rays) const;
 
+    /// What packets are cut from: positions in the batch, or null for its own order.
+    [[nodiscard]] const std::uint32_t* order_of(const RayBatch& rays);
+
     EmbreeOptions options_;
     EmbreeRays way_;
     EmbreeScene scene_;
     rebuild::TriangleView triangles_;
+    RaySort ray_sort_;
 };
 
 }  // namespace gridreel::traversal

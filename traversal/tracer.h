@@ -71,7 +71,8 @@ enum class EmbreeQuality {
 /// How Embree is given rays.
 enum class EmbreeRays {
     automatic,  ///< packets where neighbours or a common origin are known, else single
-    packets,    ///< 16 at a time
+    packets,    ///< 16 at a time, as they come
+    sorted,     ///< as packets; those with a common origin and no order are sorted by direction first
     single,
 };
 

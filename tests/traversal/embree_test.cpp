@@ -157,7 +157,7 @@ private:
 TEST_CASE("Embree and the grid agree but for rays within rounding of an edge", "[traversal][embree]") {
     SKIP_WITHOUT_EMBREE();
     const auto quality = GENERATE(EmbreeQuality::low, EmbreeQuality::medium, EmbreeQuality::refit);
-    const auto way = GENERATE(EmbreeRays::packets, EmbreeRays::single);
+    const auto way = GENERATE(EmbreeRays::packets, EmbreeRays::sorted, EmbreeRays::single);
     const auto theirs = embree({.quality = quality, .rays = way});
     const auto ours = grid();
     std::ptrdiff_t hits = 0;
@@ -217,7 +217,7 @@ TEST_CASE("Embree follows triangles that move, and another topology", "[traversa
 
 TEST_CASE("Embree on nothing, and rays that hit nothing", "[traversal][embree]") {
     SKIP_WITHOUT_EMBREE();
-    const auto way = GENERATE(EmbreeRays::packets, EmbreeRays::single);
+    const auto way = GENERATE(EmbreeRays::packets, EmbreeRays::sorted, EmbreeRays::single);
     const auto tracer = embree({.quality = EmbreeQuality::low, .rays = way});
     const Triangles none{.name = "none", .positions = {}, .triangles = {}};
     const RayBatch some = pinhole({0, 0, 3}, {}, 0.5f, 9);
