@@ -134,10 +134,10 @@ std::string markdown_table(std::span<const SceneFigures> scenes) {
         for (const int count : threads) {
             text += fmt::format("| {} | {} | {} |", cell(scene.scene),
                                 scene.moving_triangles + scene.still_triangles, count);
-            for (const auto& [against, phase] : columns) {
+            for (const Column& column : columns) {
                 const auto found =
                     std::find_if(scene.ratios.begin(), scene.ratios.end(), [&](const Ratio& ratio) {
-                        return ratio.threads == count && ratio.against == against && ratio.phase == phase;
+                        return ratio.threads == count && Column{ratio.against, ratio.phase} == column;
                     });
                 text +=
                     found == scene.ratios.end() ? " |" : fmt::format(" {} |", times_faster(found->speedup));

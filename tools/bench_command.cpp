@@ -169,14 +169,15 @@ std::vector<NamedTracer> read_tracers(const BenchText& text, const traversal::Tr
         } else if (options.kind == TracerKind::embree) {
             for (const std::string& quality : text.embree_qualities) {
                 options.embree = {.quality = qualities.at(quality), .rays = rays.at(text.embree_rays)};
-                tracers.push_back(
-                    {.name = quality == "low" ? accel : accel + "-" + quality, .options = options});
+                tracers.push_back({.name = quality == "low" ? accel : fmt::format("{}-{}", accel, quality),
+                                   .options = options});
             }
         } else {
             for (const std::string& lambda : text.lambdas) {
                 options.resolution.lambda = sequences::parse_lambda(lambda, basis.resolution.lambda);
                 tracers.push_back(
-                    {.name = text.lambdas.size() == 1 ? accel : accel + ":" + lambda, .options = options});
+                    {.name = text.lambdas.size() == 1 ? accel : fmt::format("{}:{}", accel, lambda),
+                     .options = options});
             }
         }
     }

@@ -2,6 +2,7 @@
 
 #include "traversal/embree_api-inl.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <tbb/blocked_range.h>
@@ -47,9 +48,9 @@ private:
 };
 
 bool can_hit(const glm::vec3& origin, const glm::vec3& direction, float t_min, float t_max) {
-    const float reach =
-        std::max(std::fabs(direction.x), std::max(std::fabs(direction.y), std::fabs(direction.z)));
-    return t_min < t_max && reach > 0.0f && reach < infinity && rebuild::is_traceable(origin);
+    const glm::vec3 reach = glm::abs(direction);
+    return t_min < t_max && rebuild::is_traceable(origin) && direction != glm::vec3(0.0f) &&
+           reach.x < infinity && reach.y < infinity && reach.z < infinity;
 }
 
 /// Rays in Embree's way ---------------------------------------------------------------------------------
@@ -94,15 +95,17 @@ void fill(const RayBatch& rays, const Lanes& lanes, RTCRay16& packet, std::array
     std::fill_n(packet.mask, width, ~0u);
     std::fill_n(packet.flags, width, 0u);
 
-    // Comparisons joined by & so that they are done side by side.
+    // `can_hit`, by comparisons joined with & so that they are done side by side.
     constexpr float largest = rebuild::largest_coordinate;
     for (std::size_t i = 0; i < width; ++i) {
-        const float reach = std::max(std::fabs(packet.dir_x[i]),
-                                     std::max(std::fabs(packet.dir_y[i]), std::fabs(packet.dir_z[i])));
-        const bool sound = (packet.tnear[i] < packet.tfar[i]) & (reach > 0.0f) & (reach < infinity) &
-                           (std::fabs(packet.org_x[i]) <= largest) & (std::fabs(packet.org_y[i]) <= largest) &
-                           (std::fabs(packet.org_z[i]) <= largest);
-        valid[i] = sound ? -1 : 0;
+        const float x = std::fabs(packet.dir_x[i]);
+        const float y = std::fabs(packet.dir_y[i]);
+        const float z = std::fabs(packet.dir_z[i]);
+        const int sound =
+            int(packet.tnear[i] < packet.tfar[i]) & int(x < infinity) & int(y < infinity) &
+            int(z < infinity) & int(x + y + z > 0.0f) & int(std::fabs(packet.org_x[i]) <= largest) &
+            int(std::fabs(packet.org_y[i]) <= largest) & int(std::fabs(packet.org_z[i]) <= largest);
+        valid[i] = -sound;
     }
     std::fill(valid.begin() + static_cast<std::ptrdiff_t>(lanes.count), valid.end(), 0);
 }

@@ -46,8 +46,8 @@ public:
     /// Fills `occluded` (resized) with whether anything blocks each ray.
     virtual TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) = 0;
 
-    /// The ways in which rays can be asked of the same structure, by name, where only measuring tells which is
-    /// the fastest. For benchmarks.
+    /// The ways in which rays can be asked of the same structure, by name, where only measuring tells which
+    /// is the fastest. For benchmarks.
     [[nodiscard]] virtual std::span<const std::string_view> ways() const;
 
     /// From now on rays are asked in this one of the ways.

@@ -285,7 +285,7 @@ TEST_CASE("behind what they hit, Embree's rays meet what the grid's meet, and no
     // Each triangle twice, the second time from its back: of such twins Embree may leave one out.
     Triangles triangles = soup(400, 0.4f);
     const std::vector<glm::uvec3> once = triangles.triangles;
-    for (const glm::uvec3& t : once) triangles.triangles.push_back({t.x, t.z, t.y});
+    for (const glm::uvec3& t : once) triangles.triangles.emplace_back(t.x, t.z, t.y);
     RayBatch rays = pinhole({0.4f, 0.9f, 2.5f}, {}, 0.4f, 40);
     const auto all_met = [&](Tracer& tracer) {
         tracer.rebuild(triangles.view());
