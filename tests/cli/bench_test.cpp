@@ -89,7 +89,7 @@ TEST_CASE("bench refuses what it cannot compare", "[cli][bench]") {
     CHECK_THAT(twins.err, Contains("same name"));
 }
 
-TEST_CASE("--accel embree traces, or says how to get Embree", "[cli][bench][embree]") {
+TEST_CASE("the accel embree traces, or says how to get Embree", "[cli][bench][embree]") {
     const ScratchFolder folder;
     write_tiny_scene(folder.path());
     const Outcome bench = run_gridreel(quick_bench({"--accel", "grid,embree", "--embree-quality",
