@@ -82,7 +82,9 @@ UniformGrid grid_in(const Bounds3& box, std::size_t triangles, const ResolutionP
 Bounds3 box_of_cell(const UniformGrid& grid, std::size_t cell) {
     const auto x = static_cast<std::size_t>(grid.resolution.x),
                y = static_cast<std::size_t>(grid.resolution.y);
-    const glm::dvec3 index{double(cell % x), double(cell / x % y), double(cell / (x * y))};
+    const std::size_t row = cell / x;
+    const std::size_t layer = row / y;
+    const glm::dvec3 index{double(cell % x), double(row % y), double(layer)};
     const glm::dvec3 low = glm::dvec3{grid.bounds.min} + index * grid.cell_size;
     return {.min = glm::vec3{low - grid.slack}, .max = glm::vec3{low + grid.cell_size + grid.slack}};
 }

@@ -15,9 +15,9 @@ namespace gridreel::traversal {
 /// A batch with a common origin, cut into packets of up to `rays_per_packet`.
 class PacketSource {
 public:
-    /// @param resumed  begun with `rays`
-    /// @param sorted   of `rays`; nullptr: packets are cut in the batch's own order
-    PacketSource(const RayBatch& rays, const ResumedRays& resumed, const SortedRays* sorted);
+    /// @param begun        with `batch`
+    /// @param sorted_rays  of `batch`; nullptr: packets are cut in the batch's own order
+    PacketSource(const RayBatch& batch, const ResumedRays& begun, const SortedRays* sorted_rays);
 
     [[nodiscard]] std::size_t packet_count() const { return packet_begin_.back(); }
 

@@ -42,10 +42,12 @@ Triangles slivers(std::size_t count);           ///< aspect 1000 and more, every
 Triangles coplanar(std::size_t count);          ///< overlapping triangles in z = 0, many at equal depth
 Triangles boxes(int side);                      ///< axis-aligned faces on whole coordinates
 Triangles degenerate(std::size_t count);        ///< points, lines, NaN, infinities and a few good ones
+
+/// A small dense sphere in a huge box.
 Triangles teapot_in_stadium();
 
 /// Small triangles amid thirty times larger ones, three times over: grids within grids within grids.
-Triangles crowds_in_crowds();                  ///< a small dense sphere in a huge box
+Triangles crowds_in_crowds();
 Triangles scaled(Triangles triangles, float factor, const glm::vec3& shift);
 
 }  // namespace gridreel::tests
