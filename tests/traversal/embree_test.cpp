@@ -27,6 +27,12 @@
 
 #include <sys/mman.h>
 
+/// TBB keeps what it made for an observer until its worker threads end, which is after leaks are looked for.
+extern "C" const char* __lsan_default_suppressions();   // NOLINT(bugprone-reserved-identifier)
+extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)
+    return "leak:tbb::detail::r1::observe";
+}
+
 namespace gridreel::tests {
 namespace {
 
