@@ -241,6 +241,7 @@ private:
             for (int dropped = std::popcount(active) / 2; dropped > 0; --dropped) lower &= lower - 1;
         }
         for (const unsigned half : {lower, active & ~lower}) {
+            if (half == 0) continue;  // the flush left a single block
             candidates_.forget();
             walk_alone(at, half, slice);
         }
