@@ -6,42 +6,18 @@
 
 #include <hwy/highway.h>
 
-#include <algorithm>
+#include "rebuild/read_position-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::rebuild {
 namespace HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using FourTag = hn::FixedTag<float, 4>;
-using Four = hn::Vec<FourTag>;
-
-/// A point in three lanes; the fourth is meaningless.
-class PointReader {
-public:
-    explicit PointReader(const TriangleView& view)
-        : positions_(view.positions.data()), last_(static_cast<std::uint32_t>(view.positions.size() - 1)) {}
-
-    [[nodiscard]] HWY_INLINE Four at(std::uint32_t vertex) const {
-        const FourTag d;
-        const float* point = &positions_[vertex].x;
-        if (HWY_LIKELY(vertex != last_)) return hn::LoadU(d, point);
-        HWY_ALIGN float copy[4] = {point[0], point[1], point[2], 0.0f};  // nothing to read behind it
-        return hn::Load(d, copy);
-    }
-
-private:
-    const glm::vec3* positions_;
-    std::uint32_t last_;
-};
 
 struct LaneBox {
     Four min, max;
     bool traceable;
 };
 
-HWY_INLINE LaneBox box_of(const PointReader& points, const glm::uvec3& corners) {
+HWY_INLINE LaneBox box_of(const PositionReader& points, const glm::uvec3& corners) {
     const FourTag d;
     const Four a = points.at(corners.x), b = points.at(corners.y), c = points.at(corners.z);
     const Four limit = hn::Set(d, largest_coordinate);
@@ -56,7 +32,7 @@ HWY_INLINE LaneBox box_of(const PointReader& points, const glm::uvec3& corners) 
 
 Bounds3 bounds_of(const TriangleView& view, const TriangleList& list, std::size_t begin, std::size_t end) {
     const FourTag d;
-    const PointReader points(view);
+    const PositionReader points(view.positions);
     Four low = hn::Inf(d), high = hn::Neg(hn::Inf(d));
     for (std::size_t i = begin; i < end; ++i) {
         const LaneBox box = box_of(points, view.triangles[list[i]]);
@@ -75,7 +51,7 @@ std::uint64_t count_cells(const TriangleView& view, const TriangleList& list, st
                           std::uint32_t* histogram, std::uint64_t limit) {
     const FourTag d;
     const hn::RebindToSigned<FourTag> di;
-    const PointReader points(view);
+    const PositionReader points(view.positions);
     const auto in_lanes = [&](const glm::vec3& v) {
         HWY_ALIGN const float lanes[4] = {v.x, v.y, v.z, 0.0f};
         return hn::Load(d, lanes);

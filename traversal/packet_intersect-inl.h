@@ -9,6 +9,7 @@
 #endif
 
 #include "traversal/candidates.h"
+#include "traversal/corner_table-inl.h"
 #include "traversal/grid_scene.h"
 #include "traversal/lanes-inl.h"
 #include "traversal/packet.h"
@@ -59,31 +60,6 @@ struct alignas(64) EdgeTable {
     float volume[group], error[group], sure[group], depth_min[group], depth_max[group];
 };
 
-/// The corners of 16 triangles as they stand in memory, four floats each, the fourth meaningless.
-struct alignas(64) CornerTable {
-    float corner[3][group][4];
-
-    /// A corner in the packet's frame.
-    [[nodiscard]] FramedPoint point(const Packet& packet, int which, int triangle) const {
-        const float* p = corner[which][triangle];
-        const auto along = [&](int axis) { return p[axis] - packet.origin[axis]; };
-        return {.k = along(packet.axes.k), .u = along(packet.axes.u()), .v = along(packet.axes.v())};
-    }
-};
-
-/// Copies the corners of up to 16 triangles; the last triangle fills what is left.
-HWY_INLINE void gather(const rebuild::TriangleView& view, const std::uint32_t* triangles, std::size_t count,
-                       CornerTable& corners) {
-    const hn::FixedTag<float, 4> four;
-    const auto last_vertex = static_cast<std::uint32_t>(view.positions.size() - 1);
-    for (std::size_t i = 0; i < group; ++i) {
-        const glm::uvec3& indices = view.triangles[triangles[std::min(i, count - 1)]];
-        for (int which = 0; which < 3; ++which) {
-            copy_position(four, view.positions, indices[which], last_vertex, corners.corner[which][i]);
-        }
-    }
-}
-
 /// Whether any direction within the bounds can be inside all three edges, lane by lane: the edge function's
 /// greatest value is at a corner of the bounds. No division, so nothing behind the origin confuses it.
 HWY_INLINE hn::Mask<LaneTag> may_be_inside(LaneTag d, const EdgeFunctions<Lanes>& edges, Lanes centre_u,
@@ -102,19 +78,15 @@ HWY_INLINE hn::Mask<LaneTag> may_be_inside(LaneTag d, const EdgeFunctions<Lanes>
 }
 
 /// Edge functions of 16 triangles into `table`. @return a bit for each that the frustum does not cull
-HWY_INLINE unsigned cull_by_frustum(const CornerTable& corners, const Packet& packet, const Frustum& frustum,
-                                    EdgeTable& table) {
+HWY_INLINE unsigned cull_by_frustum(const CornerTable<group>& corners, const Packet& packet,
+                                    const Frustum& frustum, EdgeTable& table) {
     const LaneTag d;
-    const Axes axes = packet.axes;
+    const Viewpoint seen(packet.origin, packet.axes);
     unsigned survivors = 0;
     for (std::size_t first = 0; first < group; first += hn::Lanes(d)) {
-        const auto corner = [&](int which) {
-            Lanes axis[3], unused;
-            hn::LoadInterleaved4(d, corners.corner[which][first], axis[0], axis[1], axis[2], unused);
-            const auto along = [&](int i) { return hn::Sub(axis[i], hn::Set(d, packet.origin[i])); };
-            return Vec3<Lanes>{along(axes.k), along(axes.u()), along(axes.v())};
-        };
-        const auto edges = edge_functions(d, corner(0), corner(1), corner(2), hn::Set(d, axes.sign()));
+        const auto edges =
+            edge_functions(d, corners.lanes(d, 0, first, seen), corners.lanes(d, 1, first, seen),
+                           corners.lanes(d, 2, first, seen), hn::Set(d, packet.axes.sign()));
         const auto inside = may_be_inside(d, edges, hn::Set(d, frustum.centre_u), hn::Set(d, frustum.half_u),
                                           hn::Set(d, frustum.centre_v), hn::Set(d, frustum.half_v));
         const auto in_reach = hn::And(hn::Le(edges.depth_min, hn::Set(d, frustum.far_depth)),
@@ -170,10 +142,11 @@ HWY_INLINE unsigned blocks_that_may_hit(const Packet& packet, const EdgeFunction
 
 /// One triangle against the rays of one block. Equal depths go to the lower index, whatever the order of
 /// tests.
-/// @param corners  the triangle's, for what the edge functions leave in doubt
+/// @param corners  for what the edge functions leave in doubt: the triangle's are at `place`
 template <Wanted wanted>
-HWY_INLINE void intersect_block(Packet& packet, const EdgeFunctions<Lanes>& edges, const CornerTable& corners,
-                                int lane_of_triangle, std::uint32_t triangle, int block) {
+HWY_INLINE void intersect_block(Packet& packet, const EdgeFunctions<Lanes>& edges,
+                                const CornerTable<group>& corners, std::size_t place, std::uint32_t triangle,
+                                int block) {
     const LaneTag d;
     const hn::RebindToUnsigned<LaneTag> du;
     const auto index = hn::Set(du, triangle);
@@ -184,8 +157,9 @@ HWY_INLINE void intersect_block(Packet& packet, const EdgeFunctions<Lanes>& edge
         const float* slope_v = packet.slope_v + first;
         const Lanes best = hn::Load(d, packet.depth + first);
         const auto decide = [&](std::size_t lane) {
-            const auto corner = [&](int which) { return corners.point(packet, which, lane_of_triangle); };
-            return meet_in_double(corner(0), corner(1), corner(2), packet.axes.sign(), slope_u[lane],
+            const Viewpoint seen(packet.origin, packet.axes);
+            return meet_in_double(corners.point(0, place, seen), corners.point(1, place, seen),
+                                  corners.point(2, place, seen), packet.axes.sign(), slope_u[lane],
                                   slope_v[lane]);
         };
         const auto met = meet(d, edges, hn::Load(d, slope_u), hn::Load(d, slope_v), best, decide);
@@ -216,17 +190,17 @@ template <Wanted wanted>
 void intersect(const GridScene& scene, Packet& packet, unsigned& active, const Frustum& frustum,
                Candidates& candidates, TraceReport& report) {
     // While one group is worked on, the corners of the next are on their way.
-    CornerTable tables[2];
+    CornerTable<group> tables[2];
     EdgeTable edge_table;
     const auto triangles_of = [&](std::size_t begin) { return candidates.data() + begin; };
     const auto gather_at = [&](std::size_t begin) {
-        gather(scene.triangles, triangles_of(begin), std::min(group, candidates.size() - begin),
-               tables[begin / group % 2]);
+        tables[begin / group % 2].gather(scene.triangles, triangles_of(begin),
+                                         std::min(group, candidates.size() - begin));
     };
     if (candidates.size() > 0) gather_at(0);
     for (std::size_t begin = 0; begin < candidates.size() && active != 0; begin += group) {
         if (begin + group < candidates.size()) gather_at(begin + group);
-        const CornerTable& corners = tables[begin / group % 2];
+        const CornerTable<group>& corners = tables[begin / group % 2];
         unsigned survivors = cull_by_frustum(corners, packet, frustum, edge_table);
         const std::size_t count = std::min(group, candidates.size() - begin);
         survivors &= (1u << count) - 1u;
@@ -237,7 +211,8 @@ void intersect(const GridScene& scene, Packet& packet, unsigned& active, const F
             report.triangle_tests += static_cast<std::uint64_t>(std::popcount(blocks)) * rays_per_block;
             for (; blocks != 0; blocks &= blocks - 1) {
                 const int block = std::countr_zero(blocks);
-                intersect_block<wanted>(packet, edges, corners, i, triangles_of(begin)[i], block);
+                intersect_block<wanted>(packet, edges, corners, std::size_t(i), triangles_of(begin)[i],
+                                        block);
                 if (packet.far_depth[block] < 0.0f) active &= ~(1u << block);
             }
         }

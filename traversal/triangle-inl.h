@@ -19,13 +19,8 @@
 
 #include <hwy/highway.h>
 
-#include <glm/vec3.hpp>
-
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
-#include <span>
 
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
@@ -58,18 +53,6 @@ HWY_INLINE Vec3<V> cross(const Vec3<V>& a, const Vec3<V>& b) {
 template <class V>
 HWY_INLINE V size(const Vec3<V>& a) {
     return hn::Add(hn::Add(hn::Abs(a.k), hn::Abs(a.u)), hn::Abs(a.v));
-}
-
-/// Copies a position into four floats, the fourth meaningless, reading nothing behind the last vertex.
-HWY_INLINE void copy_position(hn::FixedTag<float, 4> four, std::span<const glm::vec3> positions,
-                              std::uint32_t vertex, std::uint32_t last_vertex, float* to) {
-    const float* from = &positions[vertex].x;
-    if (HWY_LIKELY(vertex != last_vertex)) {
-        hn::Store(hn::LoadU(four, from), four, to);
-    } else {
-        std::copy_n(from, 3, to);
-        to[3] = 0.0f;
-    }
 }
 
 /// What of a triangle does not depend on the ray's slopes, seen from one origin along one K axis.
