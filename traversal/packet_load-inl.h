@@ -7,6 +7,7 @@
 #define GRIDREEL_TRAVERSAL_PACKET_LOAD_INL_H_
 #endif
 
+#include "traversal/framed_lanes-inl.h"
 #include "traversal/lanes-inl.h"
 #include "traversal/packet.h"
 #include "traversal/packet_kernel.h"
@@ -65,14 +66,28 @@ HWY_INLINE void bound_blocks(Packet& packet) {
     }
 }
 
-/// Begins resumed rays where they go on.
-HWY_INLINE void resume(const PacketSource& source, Packet& packet) {
-    if (source.rays.after_triangle.empty()) return;
-    for (std::size_t lane = 0; lane < packet.block_count() * rays_per_block; ++lane) {
-        const RayFrame frame = source.resumed.frame(source.rays, packet.ray[lane]);
-        packet.depth_min[lane] = frame.depth_min;
-        packet.after[lane] = frame.after;
+/// What all ways to fill a packet end with: nothing is hit yet, resumed rays begin where they go on, blocks
+/// have bounds.
+HWY_INLINE void finish_loading(const PacketSource& source, Packet& packet) {
+    const LaneTag d;
+    const hn::RebindToUnsigned<LaneTag> du;
+    const std::size_t lanes = packet.block_count() * rays_per_block;
+    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
+        const auto within = hn::Add(hn::Iota(du, 0), hn::Set(du, static_cast<std::uint32_t>(lane)));
+        const auto real = hn::RebindMask(d, hn::Lt(within, hn::Set(du, packet.ray_count)));
+        const Lanes depth_max = hn::Load(d, packet.depth_max + lane);
+        hn::Store(hn::IfThenElse(real, depth_max, hn::Set(d, -1.0f)), d, packet.depth + lane);
+        hn::Store(hn::Set(du, no_hit_yet), du, packet.triangle + lane);
+        hn::Store(hn::Set(du, no_triangle), du, packet.after + lane);
     }
+    if (!source.rays.after_triangle.empty()) {
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const RayFrame frame = source.resumed.frame(source.rays, packet.ray[lane]);
+            packet.depth_min[lane] = frame.depth_min;
+            packet.after[lane] = frame.after;
+        }
+    }
+    bound_blocks(packet);
 }
 
 /// Fills the packet with rays of one face. Only closest hits need `depth_per_t`.
@@ -80,7 +95,6 @@ template <Wanted wanted>
 HWY_INLINE void load_sorted(const PacketSource& source, const PacketSource::Cut& cut, Packet& packet) {
     const LaneTag d;
     const hn::FixedTag<float, 4> four;
-    const hn::RebindToUnsigned<LaneTag> du;
     const auto count = static_cast<std::uint32_t>(cut.end - cut.begin);
     packet.origin = *source.rays.common_origin;
     packet.axes = cut.axes;
@@ -106,15 +120,9 @@ HWY_INLINE void load_sorted(const PacketSource& source, const PacketSource::Cut&
             hn::Store(slope_v, d, packet.slope_v + lane);
             hn::Store(depth_min, d, packet.depth_min + lane);
             hn::Store(depth_max, d, packet.depth_max + lane);
-            const auto within = hn::Add(hn::Iota(du, 0), hn::Set(du, static_cast<std::uint32_t>(lane)));
-            const auto real = hn::RebindMask(d, hn::Lt(within, hn::Set(du, count)));
-            hn::Store(hn::IfThenElse(real, depth_max, hn::Set(d, -1.0f)), d, packet.depth + lane);
-            hn::Store(hn::Set(du, no_hit_yet), du, packet.triangle + lane);
-            hn::Store(hn::Set(du, no_triangle), du, packet.after + lane);
         }
     }
-    resume(source, packet);
-    bound_blocks(packet);
+    finish_loading(source, packet);
 }
 
 /// Fills the packet with rays [begin, begin + count) of the batch, if they all have one frame and can hit
@@ -128,11 +136,12 @@ HWY_INLINE bool load_uniform(const PacketSource& source, std::size_t begin, std:
     const RayBatch& rays = source.rays;
     const RayFrame first = ray_frame(rays, begin);
     if (first.hits_nothing()) return false;
+    packet.origin = *rays.common_origin;
     packet.axes = first.axes;
-    const int k = first.axes.k;
+    packet.ray_count = static_cast<std::uint32_t>(count);
+    const Lanes face = hn::Set(d, static_cast<float>(first.axes.face()));
 
-    const std::size_t lanes = (count + rays_per_block - 1) / rays_per_block * rays_per_block;
-    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
+    for (std::size_t lane = 0; lane < packet.block_count() * rays_per_block; lane += hn::Lanes(d)) {
         // Where these rays stand in the batch; lanes behind the last ray repeat it.
         const auto within = hn::Add(hn::Iota(du, 0), hn::Set(du, static_cast<std::uint32_t>(lane)));
         const auto place = hn::Add(hn::Min(within, hn::Set(du, static_cast<std::uint32_t>(count - 1))),
@@ -143,38 +152,18 @@ HWY_INLINE bool load_uniform(const PacketSource& source, std::size_t begin, std:
                                 : hn::GatherIndex(d, values.data(), hn::BitCast(di, place));
         };
 
-        // The frame, as `ray_frame` finds it.
-        const Lanes axis[3] = {read(rays.direction[0]), read(rays.direction[1]), read(rays.direction[2])};
-        const Lanes x = hn::Abs(axis[0]), y = hn::Abs(axis[1]), z = hn::Abs(axis[2]);
-        const Lanes t_min = read(rays.t_min), t_max = read(rays.t_max);
-        const auto x_most = hn::And(hn::Ge(x, y), hn::Ge(x, z));
-        const auto y_above_z = hn::Ge(y, z);
-        const auto along_k = k == 0   ? x_most
-                             : k == 1 ? hn::AndNot(x_most, y_above_z)
-                                      : hn::Not(hn::Or(x_most, y_above_z));
-        const Lanes depth_per_t = hn::Mul(axis[k], hn::Set(d, first.axes.sign()));  // negative the other way
-        const auto finite = hn::Lt(hn::Add(hn::Add(x, y), z), hn::Inf(d));
-        const auto alive = hn::And(hn::And(finite, hn::Gt(depth_per_t, hn::Zero(d))), hn::Lt(t_min, t_max));
-        const Lanes depth_min = hn::Mul(hn::Max(t_min, hn::Zero(d)), depth_per_t);
-        const Lanes depth_max = hn::Mul(t_max, depth_per_t);
-        const auto fits = hn::And(hn::And(along_k, alive), hn::Lt(depth_min, depth_max));
-        if (!hn::AllTrue(d, fits)) return false;
+        const FramedLanes ray = frame_lanes(read(rays.direction[0]), read(rays.direction[1]),
+                                            read(rays.direction[2]), read(rays.t_min), read(rays.t_max));
+        if (!hn::AllTrue(d, hn::Eq(ray.face, face))) return false;
 
-        hn::Store(hn::Div(axis[first.axes.u()], depth_per_t), d, packet.slope_u + lane);
-        hn::Store(hn::Div(axis[first.axes.v()], depth_per_t), d, packet.slope_v + lane);
-        hn::Store(depth_per_t, d, packet.depth_per_t + lane);
-        hn::Store(depth_min, d, packet.depth_min + lane);
-        hn::Store(depth_max, d, packet.depth_max + lane);
-        const auto real = hn::RebindMask(d, hn::Lt(within, hn::Set(du, static_cast<std::uint32_t>(count))));
-        hn::Store(hn::IfThenElse(real, depth_max, hn::Set(d, -1.0f)), d, packet.depth + lane);
-        hn::Store(hn::Set(du, no_hit_yet), du, packet.triangle + lane);
-        hn::Store(hn::Set(du, no_triangle), du, packet.after + lane);
+        hn::Store(ray.slope_u, d, packet.slope_u + lane);
+        hn::Store(ray.slope_v, d, packet.slope_v + lane);
+        hn::Store(ray.depth_per_t, d, packet.depth_per_t + lane);
+        hn::Store(ray.depth_min, d, packet.depth_min + lane);
+        hn::Store(ray.depth_max, d, packet.depth_max + lane);
         hn::Store(place, du, packet.ray + lane);
     }
-    packet.origin = *rays.common_origin;
-    packet.ray_count = static_cast<std::uint32_t>(count);
-    resume(source, packet);
-    bound_blocks(packet);
+    finish_loading(source, packet);
     return true;
 }
 
@@ -187,20 +176,16 @@ HWY_INLINE void load_chosen(const PacketSource& source, Axes axes, std::span<con
     packet.axes = axes;
     packet.ray_count = static_cast<std::uint32_t>(rays.size());
     for (std::size_t lane = 0; lane < packet.block_count() * rays_per_block; ++lane) {
-        const bool real = lane < rays.size();
-        const std::uint32_t ray = real ? rays[lane] : rays.back();
-        const RayFrame frame = source.resumed.frame(source.rays, ray);
+        const std::uint32_t ray = rays[std::min(lane, rays.size() - 1)];
+        const RayFrame frame = ray_frame(source.rays, ray);
         packet.slope_u[lane] = frame.slope_u;
         packet.slope_v[lane] = frame.slope_v;
         packet.depth_per_t[lane] = frame.depth_per_t;
         packet.depth_min[lane] = frame.depth_min;
         packet.depth_max[lane] = frame.depth_max;
-        packet.after[lane] = frame.after;
-        packet.depth[lane] = real ? frame.depth_max : -1.0f;
-        packet.triangle[lane] = no_hit_yet;
         packet.ray[lane] = ray;
     }
-    bound_blocks(packet);
+    finish_loading(source, packet);
 }
 
 /// Writes the packet's hits into the batch.

@@ -6,6 +6,7 @@
 
 #include <hwy/highway.h>
 
+#include "traversal/framed_lanes-inl.h"
 #include "traversal/lanes-inl.h"
 
 #include <algorithm>
@@ -49,44 +50,23 @@ FaceBounds frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, 
     const LaneTag d;
     const UintTag du;
     std::array<LaneBounds, face_count> bounds;
-    const Lanes zero = hn::Zero(d);
     std::size_t i = begin;
     for (; i + hn::Lanes(d) <= end; i += hn::Lanes(d)) {
-        const Lanes x = hn::LoadU(d, rays.direction[0].data() + i);
-        const Lanes y = hn::LoadU(d, rays.direction[1].data() + i);
-        const Lanes z = hn::LoadU(d, rays.direction[2].data() + i);
-        const Lanes t_min = hn::LoadU(d, rays.t_min.data() + i);
-        const Lanes t_max = hn::LoadU(d, rays.t_max.data() + i);
-        const Lanes ax = hn::Abs(x), ay = hn::Abs(y), az = hn::Abs(z);
-        const auto k_is_x = hn::And(hn::Ge(ax, ay), hn::Ge(ax, az));
-        const auto k_is_y = hn::AndNot(k_is_x, hn::Ge(ay, az));
-        const auto of_axes = [&](Lanes for_x, Lanes for_y, Lanes for_z) {
-            return hn::IfThenElse(k_is_x, for_x, hn::IfThenElse(k_is_y, for_y, for_z));
+        const auto read = [&](const rebuild::Buffer<float>& values) {
+            return hn::LoadU(d, values.data() + i);
         };
-        const Lanes along = of_axes(x, y, z);
-        const Lanes depth_per_t = hn::Abs(along);
-        const Lanes u = hn::Div(of_axes(y, z, x), depth_per_t);
-        const Lanes v = hn::Div(of_axes(z, x, y), depth_per_t);
-        const Lanes depth_min = hn::Mul(hn::Max(t_min, zero), depth_per_t);
-        const Lanes depth_max = hn::Mul(t_max, depth_per_t);
-        hn::StoreInterleaved4(u, v, depth_min, depth_max, d, &framed[i].slope_u);
-
-        const auto finite = hn::Lt(hn::Add(hn::Add(ax, ay), az), hn::Inf(d));
-        const auto alive = hn::And(hn::And(finite, hn::Gt(depth_per_t, zero)),
-                                   hn::And(hn::Lt(t_min, t_max), hn::Lt(depth_min, depth_max)));
-        const Lanes face_below = of_axes(zero, hn::Set(d, 2.0f), hn::Set(d, 4.0f));
-        const Lanes face = hn::IfThenElse(
-            alive, hn::Add(face_below, hn::IfThenElseZero(hn::Lt(along, zero), hn::Set(d, 1.0f))),
-            hn::Set(d, static_cast<float>(face_count)));
-        hn::StoreU(hn::BitCast(du, hn::ConvertTo(hn::RebindToSigned<LaneTag>(), face)), du, faces + i);
+        const FramedLanes ray = frame_lanes(read(rays.direction[0]), read(rays.direction[1]),
+                                            read(rays.direction[2]), read(rays.t_min), read(rays.t_max));
+        hn::StoreInterleaved4(ray.slope_u, ray.slope_v, ray.depth_min, ray.depth_max, d, &framed[i].slope_u);
+        hn::StoreU(hn::BitCast(du, hn::ConvertTo(hn::RebindToSigned<LaneTag>(), ray.face)), du, faces + i);
         const std::uint32_t first = faces[i];
-        const auto alike = hn::Eq(face, hn::Set(d, static_cast<float>(first)));
+        const auto alike = hn::Eq(ray.face, hn::Set(d, static_cast<float>(first)));
         if (HWY_LIKELY(hn::AllTrue(d, alike))) {
-            if (first < face_count) bounds[first].extend(alike, u, v);
+            if (first < face_count) bounds[first].extend(alike, ray.slope_u, ray.slope_v);
             continue;
         }
         for (std::uint32_t f = 0; f < face_count; ++f) {
-            bounds[f].extend(hn::Eq(face, hn::Set(d, static_cast<float>(f))), u, v);
+            bounds[f].extend(hn::Eq(ray.face, hn::Set(d, static_cast<float>(f))), ray.slope_u, ray.slope_v);
         }
     }
     FaceBounds result;
