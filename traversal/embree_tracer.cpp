@@ -264,6 +264,25 @@ rebuild::BuildReport EmbreeTracer::rebuild(const rebuild::TriangleView& triangle
     return scene_.build(triangles);
 }
 
+/// @param packets  traces a `PacketRun`
+/// @param single   traces one ray: its position, the query and the ray
+template <class Packets, class Single>
+TraceReport EmbreeTracer::trace(const RayBatch& rays, const Packets& packets, const Single& single) {
+    const bool resumed = !rays.after_triangle.empty();
+    if (resumed) scene_.allow_filters();
+    const std::uint32_t* const order = resumed ? nullptr : order_of(rays);
+    in_parallel(rays.size(), [&](std::size_t begin, std::size_t end) {
+        if (resumed) {
+            for_each_resumed(rays, triangles_, begin, end, single);
+        } else if (in_packets(rays)) {
+            packets({.begin = begin, .end = end, .order = order, .coherent = are_neighbours(rays)});
+        } else {
+            for_each_single(rays, begin, end, single);
+        }
+    });
+    return {.rays = rays.size()};
+}
+
 TraceReport EmbreeTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
     hits.resize(rays.size());
     if (scene_.empty()) {
@@ -271,30 +290,16 @@ TraceReport EmbreeTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
         std::fill(hits.triangle.begin(), hits.triangle.end(), no_triangle);
         return {.rays = rays.size()};
     }
-    const bool resumed = !rays.after_triangle.empty();
-    if (resumed) scene_.allow_filters();
-    const std::uint32_t* const order = resumed ? nullptr : order_of(rays);
-
-    const auto trace = [&](std::size_t i, Query& query, const RTCRay& ray) {
-        RTCRayHit asked{.ray = ray, .hit = {}};
-        asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        if (ray.tfar >= 0.0f) embree::intersect(scene_.handle(), query, asked);
-        const bool missed = asked.hit.geomID == RTC_INVALID_GEOMETRY_ID;
-        hits.t[i] = missed ? infinity : asked.ray.tfar;
-        hits.triangle[i] = missed ? no_triangle : asked.hit.primID;
-    };
-    in_parallel(rays.size(), [&](std::size_t begin, std::size_t end) {
-        if (resumed) {
-            for_each_resumed(rays, triangles_, begin, end, trace);
-        } else if (in_packets(rays)) {
-            closest_in_packets(scene_.handle(), rays,
-                               {.begin = begin, .end = end, .order = order, .coherent = are_neighbours(rays)},
-                               hits);
-        } else {
-            for_each_single(rays, begin, end, trace);
-        }
-    });
-    return {.rays = rays.size()};
+    return trace(
+        rays, [&](const PacketRun& run) { closest_in_packets(scene_.handle(), rays, run, hits); },
+        [&](std::size_t i, Query& query, const RTCRay& ray) {
+            RTCRayHit asked{.ray = ray, .hit = {}};
+            asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+            if (ray.tfar >= 0.0f) embree::intersect(scene_.handle(), query, asked);
+            const bool missed = asked.hit.geomID == RTC_INVALID_GEOMETRY_ID;
+            hits.t[i] = missed ? infinity : asked.ray.tfar;
+            hits.triangle[i] = missed ? no_triangle : asked.hit.primID;
+        });
 }
 
 TraceReport EmbreeTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded) {
@@ -303,27 +308,13 @@ TraceReport EmbreeTracer::any_hits(const RayBatch& rays, OcclusionBatch& occlude
         std::fill(occluded.begin(), occluded.end(), std::uint8_t{0});
         return {.rays = rays.size()};
     }
-    const bool resumed = !rays.after_triangle.empty();
-    if (resumed) scene_.allow_filters();
-    const std::uint32_t* const order = resumed ? nullptr : order_of(rays);
-
-    const auto trace = [&](std::size_t i, Query& query, RTCRay ray) {
-        const bool possible = ray.tfar >= 0.0f;
-        if (possible) embree::occluded(scene_.handle(), query, ray);
-        occluded[i] = possible && ray.tfar < 0.0f;
-    };
-    in_parallel(rays.size(), [&](std::size_t begin, std::size_t end) {
-        if (resumed) {
-            for_each_resumed(rays, triangles_, begin, end, trace);
-        } else if (in_packets(rays)) {
-            any_in_packets(scene_.handle(), rays,
-                           {.begin = begin, .end = end, .order = order, .coherent = are_neighbours(rays)},
-                           occluded);
-        } else {
-            for_each_single(rays, begin, end, trace);
-        }
-    });
-    return {.rays = rays.size()};
+    return trace(
+        rays, [&](const PacketRun& run) { any_in_packets(scene_.handle(), rays, run, occluded); },
+        [&](std::size_t i, Query& query, RTCRay ray) {
+            const bool possible = ray.tfar >= 0.0f;
+            if (possible) embree::occluded(scene_.handle(), query, ray);
+            occluded[i] = possible && ray.tfar < 0.0f;
+        });
 }
 
 std::span<const std::string_view> EmbreeTracer::ways() const {

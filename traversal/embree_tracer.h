@@ -35,6 +35,8 @@ public:
     void take_way(std::size_t way) override;
 
 private:
+    template <class Packets, class Single>
+    TraceReport trace(const RayBatch& rays, const Packets& packets, const Single& single);
     [[nodiscard]] bool in_packets(const RayBatch& rays) const;
 
     /// What packets are cut from: positions in the batch, or null for its own order.

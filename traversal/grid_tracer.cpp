@@ -35,36 +35,45 @@ rebuild::BuildReport GridTracer::rebuild(const rebuild::TriangleView& triangles)
     return builder_.rebuild(triangles);
 }
 
-TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
-    hits.resize(rays.size());
+/// @param packets     traces packets [begin, end) of a `PacketSource`
+/// @param one_by_one  traces rays [begin, end)
+template <class Packets, class OneByOne>
+TraceReport GridTracer::trace(const RayBatch& rays, const Packets& packets, const OneByOne& one_by_one) {
     resumed_.begin(rays, triangles_);
     const GridScene scene{builder_.grid(), triangles_};
     if (in_packets(rays)) {
         const PacketSource source(rays, resumed_, sorted(rays));
-        return trace_in_parallel(source.packet_count(), packets_per_task,
-                                 [&](std::size_t begin, std::size_t end) {
-                                     return closest_in_packets(scene, source, begin, end, hits);
-                                 });
+        return trace_in_parallel(
+            source.packet_count(), packets_per_task,
+            [&](std::size_t begin, std::size_t end) { return packets(scene, source, begin, end); });
     }
     return trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t begin, std::size_t end) {
-        return closest_one_by_one(scene, rays, resumed_, begin, end, hits);
+        return one_by_one(scene, begin, end);
     });
+}
+
+TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
+    hits.resize(rays.size());
+    return trace(
+        rays,
+        [&](const GridScene& scene, const PacketSource& source, std::size_t begin, std::size_t end) {
+            return closest_in_packets(scene, source, begin, end, hits);
+        },
+        [&](const GridScene& scene, std::size_t begin, std::size_t end) {
+            return closest_one_by_one(scene, rays, resumed_, begin, end, hits);
+        });
 }
 
 TraceReport GridTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded) {
     occluded.resize(rays.size());
-    resumed_.begin(rays, triangles_);
-    const GridScene scene{builder_.grid(), triangles_};
-    if (in_packets(rays)) {
-        const PacketSource source(rays, resumed_, sorted(rays));
-        return trace_in_parallel(source.packet_count(), packets_per_task,
-                                 [&](std::size_t begin, std::size_t end) {
-                                     return any_in_packets(scene, source, begin, end, occluded);
-                                 });
-    }
-    return trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t begin, std::size_t end) {
-        return any_one_by_one(scene, rays, resumed_, begin, end, occluded);
-    });
+    return trace(
+        rays,
+        [&](const GridScene& scene, const PacketSource& source, std::size_t begin, std::size_t end) {
+            return any_in_packets(scene, source, begin, end, occluded);
+        },
+        [&](const GridScene& scene, std::size_t begin, std::size_t end) {
+            return any_one_by_one(scene, rays, resumed_, begin, end, occluded);
+        });
 }
 
 bool GridTracer::in_packets(const RayBatch& rays) const {

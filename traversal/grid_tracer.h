@@ -21,6 +21,8 @@ public:
     TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) override;
 
 private:
+    template <class Packets, class OneByOne>
+    TraceReport trace(const RayBatch& rays, const Packets& packets, const OneByOne& one_by_one);
     [[nodiscard]] bool in_packets(const RayBatch& rays) const;
     /// nullptr where the batch's own order will do.
     [[nodiscard]] const SortedRays* sorted(const RayBatch& rays);
