@@ -7,7 +7,6 @@
 #include "rebuild/resolution.h"
 #include "rebuild/triangle_view.h"
 
-#include <array>
 #include <vector>
 
 namespace gridreel::rebuild {

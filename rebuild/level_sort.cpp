@@ -61,7 +61,7 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
 void LevelSort::count(const TriangleView& triangles, std::span<GridJob> jobs, GridLevel& level) {
     lay_out(jobs, level);
     tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t k) {
-        Part& chunk = chunks_[k];
+        Chunk& chunk = chunks_[k];
         const GridJob& job = jobs[chunk.job];
         const UniformGrid& grid = level.grids[chunk.job];
         std::uint32_t* const histogram = histograms_.data() + chunk.histogram;
@@ -72,28 +72,24 @@ void LevelSort::count(const TriangleView& triangles, std::span<GridJob> jobs, Gr
                         ranges_.data() + layouts_[chunk.job].first_range, histogram, job.reference_limit);
     });
     for (GridJob& job : jobs) job.references = 0;
-    for (const Part& chunk : chunks_) jobs[chunk.job].references += chunk.references;
+    for (const Chunk& chunk : chunks_) jobs[chunk.job].references += chunk.references;
 }
 
 bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
     // How many references each piece holds, over all histograms of its grid.
-    const auto histograms_of = [&](const Part& piece, const auto& visit) {
-        const std::size_t cells = level.grids[piece.job].cell_count();
-        const Layout& layout = layouts_[piece.job];
-        for (std::size_t k = 0; k < layout.chunks; ++k) {
-            visit(histograms_.data() + layout.first_histogram + k * cells);
-        }
-    };
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
-        Part& piece = pieces_[k];
+        Piece& piece = pieces_[k];
         piece.references = 0;
         if (jobs[piece.job].dropped) return;
-        histograms_of(piece, [&](const std::uint32_t* histogram) {
+        const std::size_t cells = level.grids[piece.job].cell_count();
+        const Layout& layout = layouts_[piece.job];
+        for (std::size_t h = 0; h < layout.chunks; ++h) {
+            const std::uint32_t* histogram = histograms_.data() + layout.first_histogram + h * cells;
             for (std::size_t c = piece.begin; c < piece.end; ++c) piece.references += histogram[c];
-        });
+        }
     });
     std::uint64_t total = 0;
-    for (Part& piece : pieces_) {
+    for (Piece& piece : pieces_) {
         piece.first_slot = static_cast<std::uint32_t>(total);
         total += piece.references;
     }
@@ -102,7 +98,7 @@ bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
     // cell_begin[c], and in each histogram the first slot of its chunk in cell c.
     level.references.resize(total);
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
-        const Part& piece = pieces_[k];
+        const Piece& piece = pieces_[k];
         std::uint32_t* const begins = level.cell_begin.data() + level.grids[piece.job].first_cell;
         std::uint32_t next = piece.first_slot;
         if (jobs[piece.job].dropped) {
@@ -125,7 +121,7 @@ bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
 
 void LevelSort::scatter(std::span<const GridJob> jobs, GridLevel& level) {
     tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t k) {
-        const Part& chunk = chunks_[k];
+        const Chunk& chunk = chunks_[k];
         const GridJob& job = jobs[chunk.job];
         if (job.dropped) return;
         const CellRange* ranges = ranges_.data() + layouts_[chunk.job].first_range;
@@ -140,7 +136,7 @@ void LevelSort::scatter(std::span<const GridJob> jobs, GridLevel& level) {
 }
 
 void LevelSort::find_crowded(const GridLevel& level, std::uint32_t limit, std::vector<CrowdedCell>& crowded) {
-    const auto visit = [&](const Part& piece, const auto& found) {
+    const auto visit = [&](const Piece& piece, const auto& found) {
         const std::size_t first = level.grids[piece.job].first_cell;
         for (std::size_t c = first + piece.begin; c < first + piece.end; ++c) {
             const std::uint32_t size = level.cell_begin[c + 1] - level.cell_begin[c];
@@ -153,7 +149,7 @@ void LevelSort::find_crowded(const GridLevel& level, std::uint32_t limit, std::v
         visit(pieces_[k], [&](std::size_t) { ++pieces_[k].crowded; });
     });
     std::size_t total = 0;
-    for (Part& piece : pieces_) total += std::exchange(piece.crowded, total);
+    for (Piece& piece : pieces_) total += std::exchange(piece.crowded, total);
     crowded.resize(total);
     if (total == 0) return;
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {

@@ -52,14 +52,20 @@ public:
     [[nodiscard]] std::size_t bytes() const { return ranges_.bytes() + histograms_.bytes(); }
 
 private:
-    /// A chunk of a job's triangles, or a piece of a grid's cells.
-    struct Part {
+    /// Some of a job's triangles, and the histogram they are counted in.
+    struct Chunk {
         std::uint32_t job = 0;
         std::size_t begin = 0, end = 0;
-        std::size_t histogram = 0;     ///< of a chunk: where its counts begin
-        std::uint64_t references = 0;  ///< in it
-        std::uint32_t first_slot = 0;  ///< of a piece
-        std::size_t crowded = 0;       ///< cells of a piece, then how many in pieces before it
+        std::size_t histogram = 0;
+        std::uint64_t references = 0;
+    };
+    /// Some cells of a job's grid.
+    struct Piece {
+        std::uint32_t job = 0;
+        std::size_t begin = 0, end = 0;
+        std::uint64_t references = 0;
+        std::uint32_t first_slot = 0;
+        std::size_t crowded = 0;  ///< cells, then how many in pieces before it
     };
     struct Layout {
         std::size_t first_range = 0;  ///< of the job's triangles
@@ -69,7 +75,8 @@ private:
     void lay_out(std::span<const GridJob> jobs, GridLevel& level);
 
     std::vector<Layout> layouts_;  ///< one per job
-    std::vector<Part> chunks_, pieces_;
+    std::vector<Chunk> chunks_;
+    std::vector<Piece> pieces_;
     Buffer<CellRange> ranges_;          ///< one per triangle of each job
     Buffer<std::uint32_t> histograms_;  ///< of each chunk, one count per cell of its grid
 };
