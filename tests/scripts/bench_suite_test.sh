@@ -2,19 +2,11 @@
 # tools/bench-suite in a folder of its own, with programs that only note how they were called.
 set -euo pipefail
 
-project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
-machine=$(mktemp -d)
-trap 'rm -rf -- "$machine"' EXIT
-house=$machine/"a house"
-calls=$machine/calls
+# shellcheck source=tests/scripts/house.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/house.sh"
 made=$house/build/bench-suite
 touch "$calls"
 
-program() {  # PATH BODY
-    mkdir -p "$(dirname -- "$1")"
-    printf '#!%s\n%s\n' "$BASH" "$2" > "$1"
-    chmod +x "$1"
-}
 program "$house/tools/build" "echo \"build \$*\" >> '$calls'"
 # Writes the file after -o.
 program "$house/build/release/tools/gallery/make_gallery" "

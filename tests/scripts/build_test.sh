@@ -2,11 +2,8 @@
 # tools/build, test, demo and .ci/run in a folder of their own, with programs that only note how they were called.
 set -euo pipefail
 
-project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
-machine=$(mktemp -d)
-trap 'rm -rf -- "$machine"' EXIT
-house=$machine/"a house"
-calls=$machine/calls
+# shellcheck source=tests/scripts/house.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/house.sh"
 export CMAKE_BUILD_PARALLEL_LEVEL=3 CTEST_PARALLEL_LEVEL=5
 mkdir -p "$house/tools" "$house/.ci" "$machine/bin"
 cp "$project"/tools/{build,test,demo} "$house/tools/"
@@ -14,11 +11,6 @@ cp "$project/.ci/run" "$house/.ci/"
 echo "{}" > "$house/CMakePresets.json"
 export PATH=$machine/bin:$PATH
 
-program() {  # PATH BODY
-    mkdir -p "$(dirname -- "$1")"
-    printf '#!%s\n%s\n' "$BASH" "$2" > "$1"
-    chmod +x "$1"
-}
 program "$house/tools/setup" ":"
 program "$house/tools/lint" "echo lint >> '$calls'"
 program "$machine/bin/cmake" "
@@ -33,12 +25,6 @@ program "$machine/bin/ctest" "
     printf '\nThe following tests did not run:\n\t  3 - needs assets (Skipped)\n'"
 program "$house/build/release/tools/gridreel" "echo \"\$PWD: gridreel \$*\" >> '$calls'"
 
-fails() {
-    if "$@"; then echo "did not fail: $*"; return 1; fi
-}
-expect_calls() {
-    diff <(printf '%s\n' "$@") "$calls"
-}
 
 a_second_build_does_not_configure_again() {
     cd /

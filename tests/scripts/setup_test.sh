@@ -2,12 +2,11 @@
 # tools/setup on invented machines: a list of our own, and a PATH that holds nothing but what a case puts there.
 set -euo pipefail
 
-project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
-machine=$(mktemp -d)
-trap 'rm -rf -- "$machine"' EXIT
-mkdir -p "$machine/a house/tools" "$machine/bin"
-cp "$project/tools/setup" "$machine/a house/tools/"
-cat > "$machine/a house/tools/packages.txt" <<'END'
+# shellcheck source=tests/scripts/house.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/house.sh"
+mkdir -p "$house/tools" "$machine/bin"
+cp "$project/tools/setup" "$house/tools/"
+cat > "$house/tools/packages.txt" <<'END'
 # A list for tests.
 [build]
 alpha      # why
@@ -20,8 +19,7 @@ delta
 END
 
 fake() {  # NAME BODY: a program on the machine's PATH
-    printf '#!%s\n%s\n' "$BASH" "$2" > "$machine/bin/$1"
-    chmod +x "$machine/bin/$1"
+    program "$machine/bin/$1" "$2"
 }
 for program in bash dirname grep env cat; do ln -s "$(command -v "$program")" "$machine/bin/$program"; done
 
@@ -30,19 +28,13 @@ debian() {  # UID STATUS...: a Debian machine; each STATUS as dpkg-query prints 
     shift
     printf '%s\n' "$@" > "$machine/status"
     fake dpkg-query "cat '$machine/status'; exit 1"
-    fake apt-get "echo \"apt-get \$* [\$DEBIAN_FRONTEND]\" >> '$machine/calls'"
+    fake apt-get "echo \"apt-get \$* [\$DEBIAN_FRONTEND]\" >> '$calls'"
 }
 setup() {
-    PATH=$machine/bin bash "$machine/a house/tools/setup" "$@" > "$machine/output" 2>&1
-}
-fails() {
-    if "$@"; then echo "did not fail: $*"; return 1; fi
-}
-expect_calls() {
-    diff <(printf '%s\n' "$@") "$machine/calls"
+    PATH=$machine/bin bash "$house/tools/setup" "$@" > "$machine/output" 2>&1
 }
 expect_no_calls() {
-    [[ ! -e $machine/calls ]]
+    [[ ! -e $calls ]]
 }
 expect_output() {
     grep -qF -- "$1" "$machine/output" || { echo "expected '$1' in:"; cat "$machine/output"; return 1; }
@@ -77,15 +69,15 @@ setup_takes_a_removed_package_for_missing() {
 
 setup_uses_sudo_only_when_not_root() {
     debian 1000 "installed alpha" "installed beta"
-    fake sudo "echo \"sudo \$1\" >> '$machine/calls'; \"\$@\""
+    fake sudo "echo \"sudo \$1\" >> '$calls'; \"\$@\""
     setup
     expect_calls "sudo env" "apt-get --quiet update [noninteractive]" \
         "sudo env" "apt-get --quiet install --yes --no-install-recommends libgamma+1-dev [noninteractive]"
 
-    rm "$machine/calls"
+    rm "$calls"
     fake id "echo 0"
     setup
-    fails grep sudo "$machine/calls"
+    fails grep sudo "$calls"
 }
 
 setup_without_root_or_sudo_says_what_to_run() {
