@@ -127,14 +127,8 @@ void add_flight(Document& document, Id node, Random& random, Id times) {
         const glm::dvec3 v = axis * sin_turns(0.5 * turns * part);
         rotations.emplace_back(cos_turns(0.5 * turns * part), v.x, v.y, v.z);
     }
-    document.channels.push_back({.node = node,
-                                 .path = Path::translation,
-                                 .times = times,
-                                 .values = add_translation_keys(document, places)});
-    document.channels.push_back({.node = node,
-                                 .path = Path::rotation,
-                                 .times = times,
-                                 .values = add_rotation_keys(document, rotations)});
+    animate_translation(document, node, times, places);
+    animate_rotation(document, node, times, rotations);
 }
 
 }  // namespace

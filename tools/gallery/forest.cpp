@@ -100,10 +100,7 @@ void add_wind(Document& document, Id tree, double phase, int cycles, Id times, i
         rotations.push_back(
             glm::normalize(glm::dquat(1.0, 0.012 * sin_turns(turn), 0.0, 0.007 * cos_turns(turn))));
     }
-    document.channels.push_back({.node = tree,
-                                 .path = Path::rotation,
-                                 .times = times,
-                                 .values = add_rotation_keys(document, rotations)});
+    animate_rotation(document, tree, times, rotations);
 }
 
 void add_trees(Document& document, std::size_t count) {

@@ -121,14 +121,8 @@ void add_motion(Document& document, Id first_node, const MarbleRun& run, const B
             rotations.push_back(states[marble].rotation);
         }
         const Id node = first_node + marble;
-        document.channels.push_back({.node = node,
-                                     .path = Path::translation,
-                                     .times = input,
-                                     .values = add_translation_keys(document, translations)});
-        document.channels.push_back({.node = node,
-                                     .path = Path::rotation,
-                                     .times = input,
-                                     .values = add_rotation_keys(document, rotations)});
+        animate_translation(document, node, input, translations);
+        animate_rotation(document, node, input, rotations);
     }
 }
 

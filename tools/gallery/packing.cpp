@@ -119,6 +119,16 @@ Id add_rotation_keys(Document& document, std::span<const glm::dquat> keys) {
                                                .bytes = bytes_of(std::span<const glm::i16vec4>(packed))});
 }
 
+void animate_translation(Document& document, Id node, Id times, std::span<const glm::dvec3> places) {
+    const Id values = add_translation_keys(document, places);
+    document.channels.push_back({.node = node, .path = Path::translation, .times = times, .values = values});
+}
+
+void animate_rotation(Document& document, Id node, Id times, std::span<const glm::dquat> rotations) {
+    const Id values = add_rotation_keys(document, rotations);
+    document.channels.push_back({.node = node, .path = Path::rotation, .times = times, .values = values});
+}
+
 Id add_scalars(Document& document, std::span<const float> values) {
     return append(document.accessors, Accessor{.count = values.size(), .bytes = bytes_of(values)});
 }

@@ -41,6 +41,14 @@ namespace gridreel::gallery {
 /// One unit quaternion per key: normalised 16-bit, signs chosen so that neighbours are near.
 [[nodiscard]] Id add_rotation_keys(Document& document, std::span<const glm::dquat> keys);
 
+/// Moves a node from place to place, one per key.
+/// @param times  from `add_times`
+void animate_translation(Document& document, Id node, Id times, std::span<const glm::dvec3> places);
+
+/// Turns a node, one rotation per key.
+/// @param times  from `add_times`
+void animate_rotation(Document& document, Id node, Id times, std::span<const glm::dquat> rotations);
+
 /// Scalars, as weights animation wants them: float32.
 [[nodiscard]] Id add_scalars(Document& document, std::span<const float> values);
 

@@ -57,10 +57,7 @@ void keep_moving(Document& document) {
         places.push_back(radius_m * glm::dvec3(cos_turns(part), 0.0, sin_turns(part)));
     }
     const Id node = append(document.nodes, {.name = "sway", .children = std::move(roots)});
-    document.channels.push_back({.node = node,
-                                 .path = Path::translation,
-                                 .times = add_times(document, times),
-                                 .values = add_translation_keys(document, places)});
+    animate_translation(document, node, add_times(document, times), places);
 }
 
 }  // namespace gridreel::gallery

@@ -193,10 +193,7 @@ void add_turning(Document& document, Id node) {
         times.push_back(static_cast<float>(part * duration_s));
         keys.emplace_back(cos_turns(part / 6.0), 0.0, sin_turns(part / 6.0), 0.0);
     }
-    document.channels.push_back({.node = node,
-                                 .path = Path::rotation,
-                                 .times = add_times(document, times),
-                                 .values = add_rotation_keys(document, keys)});
+    animate_rotation(document, node, add_times(document, times), keys);
 }
 
 }  // namespace

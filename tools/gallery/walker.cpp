@@ -69,10 +69,7 @@ void add_sway(Document& document, Id camera) {
         times.push_back(static_cast<float>(part * cycle_duration_s));
         places.push_back(middle + glm::dvec3(0.0, 0.012 * cos_turns(2.0 * part), 0.03 * sin_turns(part)));
     }
-    document.channels.push_back({.node = camera,
-                                 .path = Path::translation,
-                                 .times = add_times(document, times),
-                                 .values = add_translation_keys(document, places)});
+    animate_translation(document, camera, add_times(document, times), places);
 }
 
 }  // namespace

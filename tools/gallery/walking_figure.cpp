@@ -58,23 +58,14 @@ void add_walk(Document& document, Id first_joint, Id companion, const Walk& way)
             rotations[joint].push_back(pose.local_rotation[joint]);
     }
     const Id input = add_times(document, times);
-    document.channels.push_back({.node = first_joint,
-                                 .path = Path::translation,
-                                 .times = input,
-                                 .values = add_translation_keys(document, hips_positions)});
+    animate_translation(document, first_joint, input, hips_positions);
     for (std::size_t joint = 0; joint < joint_count; ++joint)
-        document.channels.push_back({.node = first_joint + static_cast<Id>(joint),
-                                     .path = Path::rotation,
-                                     .times = input,
-                                     .values = add_rotation_keys(document, rotations[joint])});
+        animate_rotation(document, first_joint + static_cast<Id>(joint), input, rotations[joint]);
 
     const std::array<float, 2> ends{0.0f, static_cast<float>(way.cycles * cycle_duration_s)};
     const std::array<glm::dvec3, 2> places{way.start,
                                            way.start + glm::dvec3(double(way.cycles) * stride_m, 0.0, 0.0)};
-    document.channels.push_back({.node = companion,
-                                 .path = Path::translation,
-                                 .times = add_times(document, ends),
-                                 .values = add_translation_keys(document, places)});
+    animate_translation(document, companion, add_times(document, ends), places);
 }
 
 }  // namespace gridreel::gallery
