@@ -230,6 +230,8 @@ TEST_CASE("vertices that no triangle uses do not stretch the box", "[rebuild]") 
     CHECK(builder.grid().top().bounds == clean.grid().top().bounds);
 }
 
+// Sanitizers end the program where memory runs out, instead of letting `new` throw.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST_CASE("a buffer that cannot grow is empty, not wrong", "[rebuild]") {
     Buffer<std::uint64_t> buffer;
     buffer.resize(100);
@@ -239,6 +241,7 @@ TEST_CASE("a buffer that cannot grow is empty, not wrong", "[rebuild]") {
     buffer[999] = 7;
     CHECK(buffer[999] == 7);
 }
+#endif
 
 TEST_CASE("triangles as large as the scene make the grid coarser, not endless", "[rebuild]") {
     const Soup triangles = soup(20'000, 50.0f);  // each box covers most of the scene
