@@ -7,6 +7,14 @@
 
 #include <cstddef>
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+/// OpenImageIO's PNG reader jumps over destructors when a file ends early: some 30 bytes a file are its own.
+using OthersLeaks = __lsan::ScopedDisabler;
+#else
+struct OthersLeaks {};
+#endif
+
 using namespace gridreel;
 
 TEST_CASE("colours under transparent texels are kept", "[engine]") {
@@ -47,6 +55,7 @@ TEST_CASE("an image that cannot be decoded is an error that names it", "[engine]
     anim::Image damaged = test::png(16, 16, 3, std::vector<std::uint8_t>(16 * 16 * 3, 100));
     damaged.name = "skin.png";
     damaged.encoded.resize(60);
+    [[maybe_unused]] const OthersLeaks others_leaks;
     CHECK_THROWS_WITH(engine::decode(damaged), Catch::Contains("skin.png"));
     CHECK_THROWS_AS(engine::decode(damaged), Error);
 
