@@ -1,5 +1,6 @@
 #include "traversal/ray_sort.h"
 
+#include "traversal/hilbert_curve.h"
 #include "traversal/radix_sort.h"
 #include "traversal/ray_sort_kernel.h"
 
@@ -16,31 +17,23 @@ namespace {
 using Range = tbb::blocked_range<std::size_t>;
 constexpr std::size_t grain = 1 << 13;
 
-/// Two passes of the radix sort. Within a cell of the key's grid rays keep the batch's order, which has
-/// neighbours of its own.
-constexpr unsigned key_bits = 22;
-
 /// Faces that occur, one after the other; the rays that hit nothing behind them.
-KeyMap key_map(const FaceBounds& bounds) {
-    const auto ways =
-        static_cast<unsigned>(std::count_if(bounds.begin(), bounds.end(),
-                                            [](const SlopeBounds& box) { return !box.empty(); })) +
-        1;
-    const auto face_bits = static_cast<unsigned>(std::bit_width(ways - 1));
-    const unsigned slope_bits = (key_bits - face_bits) / 2;
-    KeyMap map{.last = (1u << slope_bits) - 1};
-    std::uint32_t rank = 0;
+/// @param key_bits  set to the bits that the keys take
+KeyMap key_map(const FaceBounds& bounds, unsigned& key_bits) {
+    KeyMap map;
+    std::uint32_t used_faces = 0;
     for (std::size_t face = 0; face < face_count; ++face) {
         const SlopeBounds& box = bounds[face];
         if (box.empty()) continue;
         // One scale for both axes, so that the curve's squares are squares of slopes.
         const float extent = std::max({box.high_u - box.low_u, box.high_v - box.low_v, 1e-30f});
-        map.first[face] = rank++ << 2 * slope_bits;
+        map.first[face] = used_faces++ * hilbert_length;
         map.low_u[face] = box.low_u;
         map.low_v[face] = box.low_v;
-        map.scale[face] = static_cast<float>(map.last) / extent;
+        map.scale[face] = static_cast<float>(hilbert_side - 1) / extent;
     }
-    map.first[face_count] = rank << 2 * slope_bits;
+    map.first[face_count] = used_faces * hilbert_length;
+    key_bits = 2 * hilbert_levels + static_cast<unsigned>(std::bit_width(used_faces));
     return map;
 }
 
@@ -63,7 +56,8 @@ const SortedRays& RaySort::sort(const RayBatch& rays) {
             return a;
         });
 
-    const KeyMap map = key_map(bounds);
+    unsigned key_bits = 0;
+    const KeyMap map = key_map(bounds, key_bits);
     keys_.resize(count);
     tbb::parallel_for(Range(0, count, grain), [&](const Range& range) {
         make_keys(map, sorted_.framed.data(), faces_.data(), range.begin(), range.end(), keys_.data());

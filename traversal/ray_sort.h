@@ -17,8 +17,8 @@ struct alignas(16) FramedRay {
     float slope_u, slope_v, depth_min, depth_max;
 };
 
-/// The rays of a batch with a common origin, by dominant axis and by the Morton code of their slopes within
-/// it.
+/// The rays of a batch with a common origin, by dominant axis and along Hilbert's curve through their slopes
+/// within it.
 struct SortedRays {
     rebuild::Buffer<FramedRay> framed;     ///< one per ray, in the batch's order
     rebuild::Buffer<std::uint32_t> order;  ///< positions in the batch: face after face, then the dead

@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include "traversal/framed_lanes-inl.h"
+#include "traversal/hilbert_curve.h"
 #include "traversal/lanes-inl.h"
 
 #include <algorithm>
@@ -81,22 +82,13 @@ FaceBounds frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, 
     return result;
 }
 
-/// Bits of x at the even places, for x below 2^16.
-template <class V>
-HWY_INLINE V spread_bits(UintTag du, V x) {
-    x = hn::And(hn::Or(x, hn::ShiftLeft<8>(x)), hn::Set(du, 0x00ff00ffu));
-    x = hn::And(hn::Or(x, hn::ShiftLeft<4>(x)), hn::Set(du, 0x0f0f0f0fu));
-    x = hn::And(hn::Or(x, hn::ShiftLeft<2>(x)), hn::Set(du, 0x33333333u));
-    return hn::And(hn::Or(x, hn::ShiftLeft<1>(x)), hn::Set(du, 0x55555555u));
-}
-
 void make_keys(const KeyMap& map, const FramedRay* framed, const std::uint32_t* faces, std::size_t begin,
                std::size_t end, std::uint64_t* keys) {
     const LaneTag d;
     const UintTag du;
     const hn::RebindToSigned<LaneTag> di;
-    const Lanes last = hn::Set(d, static_cast<float>(map.last));
-    HWY_ALIGN std::uint32_t key[group];
+    const Lanes last = hn::Set(d, static_cast<float>(hilbert_side - 1));
+    HWY_ALIGN std::uint32_t x[group], y[group], first[group];
     for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
         const std::size_t count = std::min(hn::Lanes(d), end - i);
         HWY_ALIGN FramedRay rest[group] = {};
@@ -109,17 +101,25 @@ void make_keys(const KeyMap& map, const FramedRay* framed, const std::uint32_t* 
         Lanes u, v, depth_min, depth_max;
         hn::LoadInterleaved4(d, whole ? &framed[i].slope_u : &rest[0].slope_u, u, v, depth_min, depth_max);
         const auto face = hn::BitCast(di, hn::LoadU(du, whole ? faces + i : rest_faces));
-        const Lanes scale = hn::GatherIndex(d, map.scale.data(), face);
-        const auto place = [&](Lanes slope, const float* low) {
-            const Lanes at = hn::Mul(hn::Sub(slope, hn::GatherIndex(d, low, face)), scale);
+        const auto first_face = hn::GetLane(face);
+        const bool alike = hn::AllTrue(di, hn::Eq(face, hn::Set(di, first_face)));
+        const auto of_face = [&](auto tag, const auto& values) {  // gathering is slow
+            return HWY_LIKELY(alike) ? hn::Set(tag, values[static_cast<std::size_t>(first_face)])
+                                     : hn::GatherIndex(tag, values.data(), face);
+        };
+        const Lanes scale = of_face(d, map.scale);
+        const auto place = [&](Lanes slope, const auto& low) {
+            const Lanes at = hn::Mul(hn::Sub(slope, of_face(d, low)), scale);
             // The order of operands lets a NaN of a ray that hits nothing become a number.
             const Lanes held = hn::Min(hn::Max(at, hn::Zero(d)), last);
-            return spread_bits(du, hn::BitCast(du, hn::ConvertTo(di, held)));
+            return hn::BitCast(du, hn::ConvertTo(di, held));
         };
-        const auto code = hn::Or(hn::ShiftLeft<1>(place(v, map.low_v.data())), place(u, map.low_u.data()));
-        hn::Store(hn::Or(code, hn::GatherIndex(du, map.first.data(), face)), du, key);
+        hn::Store(place(u, map.low_u), du, x);
+        hn::Store(place(v, map.low_v), du, y);
+        hn::Store(of_face(du, map.first), du, first);
         for (std::size_t lane = 0; lane < count; ++lane) {
-            keys[i + lane] = std::uint64_t{key[lane]} << 32 | (i + lane);
+            const std::uint32_t key = first[lane] + hilbert_place(x[lane], y[lane]);
+            keys[i + lane] = std::uint64_t{key} << 32 | (i + lane);
         }
     }
 }

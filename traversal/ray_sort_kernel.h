@@ -24,11 +24,10 @@ using FaceBounds = std::array<SlopeBounds, face_count>;
 FaceBounds frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, FramedRay* framed,
                       std::uint32_t* faces);
 
-/// From slopes to keys: `first[face] | Morton code of ((slope - low[face]) * scale[face])`.
+/// From slopes to keys: `first[face] + `hilbert_place` of ((slope - low[face]) * scale[face])`.
 struct KeyMap {
     std::array<std::uint32_t, face_count + 1> first{};
     std::array<float, face_count + 1> low_u{}, low_v{}, scale{};
-    std::uint32_t last = 0;  ///< greatest coordinate of the Morton code
 };
 
 /// Writes `key << 32 | position` for rays [begin, end).
