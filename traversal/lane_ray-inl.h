@@ -35,7 +35,8 @@ public:
         CornerTable<width> corners;
         corners.gather(view, triangles, count);
         const auto sign = hn::Set(d, ray_.axes.sign());
-        const auto slope_u = hn::Set(d, ray_.slope_u), slope_v = hn::Set(d, ray_.slope_v);
+        const Aim<hn::Vec<decltype(d)>> aim{.slopes = {hn::Set(d, ray_.slope_u), hn::Set(d, ray_.slope_v)},
+                                            .half = hn::Zero(d)};
         for (std::size_t first = 0; first < count; first += hn::Lanes(d)) {
             const auto decide = [&](std::size_t lane) {
                 const auto point = [&](int which) { return corners.point(which, first + lane, seen_); };
@@ -44,8 +45,8 @@ public:
             };
             const auto edges =
                 edge_functions(d, corners.lanes(d, 0, first, seen_), corners.lanes(d, 1, first, seen_),
-                               corners.lanes(d, 2, first, seen_), sign);
-            const auto met = meet(d, edges, slope_u, slope_v, hn::Set(d, best), decide);
+                               corners.lanes(d, 2, first, seen_), sign, aim);
+            const auto met = meet(d, edges, least_edge(edges), aim.slopes, hn::Set(d, best), decide);
             hn::StoreU(hn::IfThenElse(met.inside, met.depth, hn::NaN(d)), d, depths + first);
         }
     }

@@ -20,8 +20,7 @@ DepthHit closest_of_all(const CornerRuns& corners, const glm::vec3& origin, cons
     const int axes[3] = {ray.axes.k, ray.axes.u(), ray.axes.v()};
 
     const V sign = hn::Set(d, ray.axes.sign());
-    const V slope_u = hn::Set(d, ray.slope_u);
-    const V slope_v = hn::Set(d, ray.slope_v);
+    const Aim<V> aim{.slopes = {hn::Set(d, ray.slope_u), hn::Set(d, ray.slope_v)}, .half = hn::Zero(d)};
     const V depth_min = hn::Set(d, ray.depth_min);
     const auto after = hn::Set(du, ray.after);
     V best = hn::Set(d, ray.depth_max);
@@ -42,8 +41,8 @@ DepthHit closest_of_all(const CornerRuns& corners, const glm::vec3& origin, cons
                            .v = run(which, 2)[triangle] - origin[axes[2]]};
     };
     for (std::size_t first = 0; first < corners.count; first += lanes) {
-        const auto edges = edge_functions(d, corner(0, first), corner(1, first), corner(2, first), sign);
-        const auto met = meet(d, edges, slope_u, slope_v, best, [&](std::size_t lane) {
+        const auto edges = edge_functions(d, corner(0, first), corner(1, first), corner(2, first), sign, aim);
+        const auto met = meet(d, edges, least_edge(edges), aim.slopes, best, [&](std::size_t lane) {
             return meet_in_double(framed_corner(0, first + lane), framed_corner(1, first + lane),
                                   framed_corner(2, first + lane), ray.axes.sign(), ray.slope_u, ray.slope_v);
         });

@@ -4,8 +4,12 @@
 // (B + C) x (C - B) = 2 (B x C). A ray direction d is inside when d . n >= 0 for all three edges, after the
 // normals took the sign of the volume A . ((B - A) x (C - A)). This form of the normal changes sign exactly
 // when B and C change places, so two triangles that share an edge leave no crack between them, and it keeps
-// its precision for triangles much smaller than their distance. What is nearer to an edge than rounding can
-// tell is decided in double precision (exact_meeting.h).
+// its precision for triangles much smaller than their distance.
+//
+// Edge functions are taken in coordinates sheared along K so that a chosen ray, the aim, runs along the axis
+// (for one ray: Woop, Benthin & Wald 2013, section 3). A shear keeps determinants, and what is left to round
+// is the distance from the aim instead of the distance from the origin. What is nearer to an edge than
+// rounding can tell is decided in double precision (exact_meeting.h).
 
 #if defined(GRIDREEL_TRAVERSAL_TRIANGLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRIDREEL_TRAVERSAL_TRIANGLE_INL_H_
@@ -55,63 +59,98 @@ HWY_INLINE V size(const Vec3<V>& a) {
     return hn::Add(hn::Add(hn::Abs(a.k), hn::Abs(a.u)), hn::Abs(a.v));
 }
 
-/// What of a triangle does not depend on the ray's slopes, seen from one origin along one K axis.
+/// Slopes a lane.
+template <class V>
+struct Slopes {
+    V u, v;
+};
+
+/// The ray that triangles are seen along, and how far the slopes of others may differ from its.
+template <class V>
+struct Aim {
+    Slopes<V> slopes;
+    V half;
+};
+
+/// What of a triangle does not depend on the ray's slopes, seen from one origin along one aim.
 template <class V>
 struct EdgeFunctions {
-    Vec3<V> normal[3];  ///< edges BC, CA, AB; positive inside; `k` carries the sign of the ray's K direction
-    Vec3<V> plane;      ///< normal of the triangle's plane, with the same signs
+    Vec3<V> normal[3];  ///< edges BC, CA, AB, for slopes less the aim's; positive inside
+    Vec3<V> plane;      ///< normal of the triangle's plane, for whole slopes, with the same sign
     V volume;           ///< A . plane, >= 0; 0 or noise for a triangle seen edge-on
     V error;            ///< an edge function may be off by so much: nearer to zero it decides nothing
-    V sure;             ///< above it a ray is inside, and its depth as exact as `depth_error` says
+    V sure;             ///< above it a ray is inside; infinite where no depth is as exact as `depth_error`
     V depth_min;        ///< nearest and farthest corner along the ray's K direction
     V depth_max;
 };
 
-template <class V>
-HWY_INLINE Vec3<V> edge_normal(const Vec3<V>& from, const Vec3<V>& to) {
-    return cross(sum(from, to), difference(to, from));
-}
-
 /// @param sign  1 or -1 a lane: the direction of the rays along K
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE EdgeFunctions<V> edge_functions(D d, const Vec3<V>& a, const Vec3<V>& b, const Vec3<V>& c,
-                                           V sign) {
+HWY_INLINE EdgeFunctions<V> edge_functions(D d, Vec3<V> a, Vec3<V> b, Vec3<V> c, V sign, const Aim<V>& aim) {
+    for (Vec3<V>* corner : {&a, &b, &c}) corner->k = hn::Mul(corner->k, sign);
     const Vec3<V> ab = difference(b, a);
     const Vec3<V> ac = difference(c, a);
     const Vec3<V> n = cross(ab, ac);
     const V signed_volume = hn::MulAdd(a.k, n.k, hn::MulAdd(a.u, n.u, hn::Mul(a.v, n.v)));
     const V flip = hn::And(signed_volume, hn::SignBit(d));
+    const auto flipped = [&](const Vec3<V>& normal) {
+        return Vec3<V>{hn::Xor(normal.k, flip), hn::Xor(normal.u, flip), hn::Xor(normal.v, flip)};
+    };
+    const auto sheared = [&](const Vec3<V>& p) {
+        return Vec3<V>{p.k, hn::NegMulAdd(aim.slopes.u, p.k, p.u), hn::NegMulAdd(aim.slopes.v, p.k, p.v)};
+    };
+    const Vec3<V> near_a = sheared(a), near_b = sheared(b), near_c = sheared(c);
+    const auto edge_normal = [&](const Vec3<V>& from, const Vec3<V>& to, const Vec3<V>& edge) {
+        return flipped(cross(sum(from, to), sheared(edge)));
+    };
 
     EdgeFunctions<V> edges;
-    edges.normal[0] = edge_normal(b, c);
-    edges.normal[1] = edge_normal(c, a);
-    edges.normal[2] = edge_normal(a, b);
-    edges.plane = n;
-    for (Vec3<V>* normal : {&edges.normal[0], &edges.normal[1], &edges.normal[2], &edges.plane}) {
-        normal->k = hn::Mul(hn::Xor(normal->k, flip), sign);
-        normal->u = hn::Xor(normal->u, flip);
-        normal->v = hn::Xor(normal->v, flip);
-    }
-    // Each rounding on the way to an edge function is at most 2^-24 of |sum of ends| * |edge|, slopes being
-    // at most 1; there are fewer than eight. `edge` bounds each edge, twice `reach` each sum of ends.
+    edges.normal[0] = edge_normal(near_b, near_c, difference(c, b));
+    edges.normal[1] = edge_normal(near_c, near_a, difference(a, c));
+    edges.normal[2] = edge_normal(near_a, near_b, ab);
+    edges.plane = flipped(n);
+    edges.volume = hn::Abs(signed_volume);
+
+    // With |p| for the sum of a vector's magnitudes, the roundings on the way to an edge function add up to
+    // less than 32 times 2^-24 |edge| (|corner across| + half |corner|); a shear in two roundings instead of
+    // one adds what a half of 1 would.
     const V size_ab = size(ab);
     const V size_ac = size(ac);
     const V edge = hn::Add(size_ab, size_ac);
     const V reach = hn::Add(size(a), edge);
-    edges.error = hn::Mul(hn::Mul(hn::Set(d, 2.0f * rounding_margin), reach), edge);
-    edges.volume = hn::Abs(signed_volume);
-    // Volume and divisor round by as much of reach * |AB| * |AC|. Where they are small against that, the
-    // triangle is seen at a low angle or is a sliver, and no float depth is good enough.
+    const auto across = [](const Vec3<V>& p) { return hn::Add(hn::Abs(p.u), hn::Abs(p.v)); };
+    const V aside = hn::Max(across(near_a), hn::Max(across(near_b), across(near_c)));
+    const V half = HWY_NATIVE_FMA ? aim.half : hn::Add(aim.half, hn::Set(d, 1.0f));
+    const V spread = hn::MulAdd(half, reach, aside);
+    // Volume and divisor round by 2^-21 of reach * |AB| * |AC|. Where they are small against that, the
+    // triangle is seen at a low angle or is a sliver: no float depth is good enough, and the volume's sign,
+    // which all edge functions share, may be wrong if they are below 2^-20 |edge| reach.
     const V scale = hn::Mul(hn::Mul(reach, size_ab), size_ac);
     const auto precise = hn::Ge(edges.volume, hn::Mul(hn::Set(d, 0x1p-7f), scale));
+    const V doubt = hn::IfThenElse(precise, spread, hn::MulAdd(hn::Set(d, 0.5f), reach, spread));
+    // The least is for products below the range of floats.
+    edges.error = hn::MulAdd(hn::Mul(hn::Set(d, 4.0f * rounding_margin), doubt), edge, hn::Set(d, 0x1p-120f));
     edges.sure = hn::IfThenElse(precise, edges.error, hn::Inf(d));
 
-    const V depth_a = hn::Mul(a.k, sign);
-    const V depth_b = hn::Mul(b.k, sign);
-    const V depth_c = hn::Mul(c.k, sign);
-    edges.depth_min = hn::Min(depth_a, hn::Min(depth_b, depth_c));
-    edges.depth_max = hn::Max(depth_a, hn::Max(depth_b, depth_c));
+    edges.depth_min = hn::Min(a.k, hn::Min(b.k, c.k));
+    edges.depth_max = hn::Max(a.k, hn::Max(b.k, c.k));
     return edges;
+}
+
+/// The least of the three edge functions, for slopes less the aim's.
+template <class V>
+HWY_INLINE V least_edge(const EdgeFunctions<V>& edges, const Slopes<V>& offset) {
+    const auto along_ray = [&](const Vec3<V>& n) {
+        return hn::MulAdd(offset.v, n.v, hn::MulAdd(offset.u, n.u, n.k));
+    };
+    return hn::Min(along_ray(edges.normal[0]),
+                   hn::Min(along_ray(edges.normal[1]), along_ray(edges.normal[2])));
+}
+
+/// The same on the aim itself.
+template <class V>
+HWY_INLINE V least_edge(const EdgeFunctions<V>& edges) {
+    return hn::Min(edges.normal[0].k, hn::Min(edges.normal[1].k, edges.normal[2].k));
 }
 
 /// Where rays of the given slopes meet the triangle.
@@ -121,28 +160,25 @@ struct Meeting {
     V depth;             ///< along K; meaningless where not inside
 };
 
+/// The same bits for any aim.
+/// @param least   `least_edge` of each ray
 /// @param best    hits behind it do not count: whether they are hits may be left undecided
 /// @param decide  `std::optional<float> decide(lane)`: the exact answer for one lane, asked only where an
-/// edge
-///                function is too near to zero to tell
+/// edge function is too near to zero to tell, or where the depth needs it
 ///
 /// The division is rounded, and for a triangle seen almost edge-on it is far off: the depth is held between
 /// the corners', so that a hit always lies in the cells that hold its triangle.
 template <class D, class Decide, class V = hn::Vec<D>>
-HWY_INLINE Meeting<D> meet(D d, const EdgeFunctions<V>& edges, V slope_u, V slope_v, V best,
+HWY_INLINE Meeting<D> meet(D d, const EdgeFunctions<V>& edges, V least, const Slopes<V>& slopes, V best,
                            const Decide& decide) {
-    const auto along_ray = [&](const Vec3<V>& n) {
-        return hn::MulAdd(slope_v, n.v, hn::MulAdd(slope_u, n.u, n.k));
-    };
-    const V least =
-        hn::Min(along_ray(edges.normal[0]), hn::Min(along_ray(edges.normal[1]), along_ray(edges.normal[2])));
     // Most blocks that a triangle's cone reaches into have no ray in it.
     const auto touched = hn::And(hn::Ge(least, hn::Neg(edges.error)), hn::Le(edges.depth_min, best));
     if (hn::AllFalse(d, touched)) return {touched, best};
 
     auto inside = hn::And(touched, hn::Gt(least, edges.sure));
     // The edge functions add up to the same divisor, but each errs by its distance over its length more.
-    V depth = hn::Div(edges.volume, along_ray(edges.plane));
+    const V divisor = hn::MulAdd(slopes.v, edges.plane.v, hn::MulAdd(slopes.u, edges.plane.u, edges.plane.k));
+    V depth = hn::Div(edges.volume, divisor);
 
     // Where the depth is precise and behind `best`, the doubt does not matter.
     const auto precise = hn::Lt(edges.sure, hn::Inf(d));
@@ -162,7 +198,8 @@ HWY_INLINE Meeting<D> meet(D d, const EdgeFunctions<V>& edges, V slope_u, V slop
             is_inside[lane] = exact ? 1.0f : 0.0f;
             if (exact) depths[lane] = *exact;
         }
-        depth = hn::Load(d, depths);
+        // What the aim leaves in doubt must not show in the depth.
+        depth = hn::IfThenElse(precise, depth, hn::Load(d, depths));
         inside = hn::Gt(hn::Load(d, is_inside), hn::Zero(d));
     }
     return {inside, hn::Max(edges.depth_min, hn::Min(edges.depth_max, depth))};
