@@ -123,17 +123,24 @@ HWY_INLINE EdgeFunctions<V> edge_functions(D d, Vec3<V> a, Vec3<V> b, Vec3<V> c,
     const V half = HWY_NATIVE_FMA ? aim.half : hn::Add(aim.half, hn::Set(d, 1.0f));
     const V spread = hn::MulAdd(half, reach, aside);
     // Volume and divisor round by 2^-21 of reach * |AB| * |AC|. Where they are small against that, the
-    // triangle is seen at a low angle or is a sliver: no float depth is good enough, and the volume's sign,
-    // which all edge functions share, may be wrong if they are below 2^-20 |edge| reach.
+    // triangle is seen at a low angle or is a sliver, and no float depth is good enough.
     const V scale = hn::Mul(hn::Mul(reach, size_ab), size_ac);
     const auto precise = hn::Ge(edges.volume, hn::Mul(hn::Set(d, 0x1p-7f), scale));
-    const V doubt = hn::IfThenElse(precise, spread, hn::MulAdd(hn::Set(d, 0.5f), reach, spread));
-    // The least is for products below the range of floats.
-    edges.error = hn::MulAdd(hn::Mul(hn::Set(d, 4.0f * rounding_margin), doubt), edge, hn::Set(d, 0x1p-120f));
-    edges.sure = hn::IfThenElse(precise, edges.error, hn::Inf(d));
 
     edges.depth_min = hn::Min(a.k, hn::Min(b.k, c.k));
     edges.depth_max = hn::Max(a.k, hn::Max(b.k, c.k));
+
+    // Not even the volume's sign may be right, which all edge functions share. They add up to twice the
+    // volume over the depth of what they hit.
+    V doubt = spread;
+    const auto signed_right = hn::Ge(edges.volume, hn::Mul(hn::Set(d, rounding_margin), scale));
+    if (HWY_UNLIKELY(!hn::AllTrue(d, signed_right))) {
+        const V more = hn::Div(hn::Mul(reach, edge), hn::Max(edges.depth_min, hn::Zero(d)));
+        doubt = hn::IfThenElse(signed_right, doubt, hn::Add(doubt, more));
+    }
+    // The least is for products below the range of floats.
+    edges.error = hn::MulAdd(hn::Mul(hn::Set(d, 4.0f * rounding_margin), doubt), edge, hn::Set(d, 0x1p-120f));
+    edges.sure = hn::IfThenElse(precise, edges.error, hn::Inf(d));
     return edges;
 }
 

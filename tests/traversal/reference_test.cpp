@@ -123,4 +123,38 @@ TEST_CASE("a ray through a shared edge or vertex hits one of its triangles", "[t
     CHECK(escaped == 0);
 }
 
+TEST_CASE("a triangle is hit from a hair's breadth above it", "[traversal][reference]") {
+    // On which side of its plane such an origin is, single precision cannot tell, all the less if the
+    // triangle is a strip that runs away from it.
+    Random random(51);
+    for (const float width : {1.0f, 1e-2f, 1e-3f}) {
+        for (const float height : {1e-4f, 1e-5f, 2e-6f}) {
+            std::size_t aimed = 0, missed = 0;
+            for (int i = 0; i < 2000; ++i) {
+                const glm::vec3 along = random.on_sphere();
+                const glm::vec3 across = glm::normalize(glm::cross(along, random.on_sphere()));
+                const glm::vec3 start = random.in_box(-1.0f, 1.0f);
+                Triangles strip;
+                strip.add(start, start + along + width * across, start + along - width * across);
+                // From above one point to as far below another: through the plane half way.
+                const glm::vec3 lift = height * glm::cross(along, across);
+                RayBatch rays;
+                const glm::vec3 origin = start + 0.9f * along + lift;
+                rays.resize(1, origin, traversal::RayOrder::arbitrary);
+                rays.set_direction(0, start + 0.2f * along - lift - origin);
+                rays.t_min[0] = 0.0f;
+                rays.t_max[0] = 1.0f;
+                const auto hit =
+                    intersect(strip, 0, glm::dvec3{rays.origin_of(0)}, glm::dvec3{rays.direction_of(0)});
+                if (!hit || hit->inside < 0.1 || hit->t < 0.25 || hit->t > 0.75) continue;
+                ++aimed;
+                missed += naive_hits(strip, rays).triangle[0] == traversal::no_triangle;
+            }
+            INFO("width " << width << ", height " << height);
+            CHECK(aimed > 1000);
+            CHECK(missed == 0);
+        }
+    }
+}
+
 }  // namespace gridreel::tests
