@@ -7,7 +7,7 @@ using Catch::Matchers::Contains;
 
 TEST_CASE("a material left empty has the specification's defaults", "[load]") {
     auto file = test::one_triangle();
-    file.json["materials"] = {nlohmann::json::object()};
+    file.json["materials"] = nlohmann::json::array({nlohmann::json::object()});
     const auto material = file.load().materials.at(0);
     CHECK(material.base_color == glm::vec4(1));
     CHECK(material.metallic == 1.0f);
@@ -60,7 +60,7 @@ TEST_CASE("materials are read whole", "[load]") {
 
 TEST_CASE("a texture on TEXCOORD_2 is left out with a warning", "[load]") {
     auto file = test::one_triangle();
-    file.json["textures"] = {nlohmann::json::object()};
+    file.json["textures"] = nlohmann::json::array({nlohmann::json::object()});
     file.json["materials"] = {{{"emissiveTexture", {{"index", 0}, {"texCoord", 2}}}}};
     const auto scene = file.load();
     CHECK_FALSE(scene.materials.at(0).emissive_texture);
@@ -70,7 +70,7 @@ TEST_CASE("a texture on TEXCOORD_2 is left out with a warning", "[load]") {
 TEST_CASE("textures that are not drawn are warned of once, at the first material that has one", "[load]") {
     auto file = test::one_triangle();
     const nlohmann::json texture = {{"index", 0}};
-    file.json["textures"] = {nlohmann::json::object()};
+    file.json["textures"] = nlohmann::json::array({nlohmann::json::object()});
     file.json["materials"] = {nlohmann::json::object(),
                               {{"normalTexture", texture}, {"emissiveTexture", texture}},
                               {{"normalTexture", texture}, {"occlusionTexture", texture}}};
@@ -86,7 +86,7 @@ TEST_CASE("a texture without a sampler repeats and is filtered smoothly", "[load
     auto file = test::one_triangle();
     file.json["images"] = {{{"uri", "data:image/png;base64,AAAA"}}};
     file.json["textures"] = {{{"source", 0}}, {{"sampler", 0}}};
-    file.json["samplers"] = {nlohmann::json::object()};
+    file.json["samplers"] = nlohmann::json::array({nlohmann::json::object()});
     for (const auto& texture : file.load().textures) {
         CHECK(texture.wrap_s == anim::Wrap::repeat);
         CHECK(texture.wrap_t == anim::Wrap::repeat);

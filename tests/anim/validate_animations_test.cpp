@@ -72,7 +72,8 @@ TEST_CASE("animations that cannot be played are refused", "[validate]") {
          }},
         {"translations of four components", "/animations/0/samplers/1/output", "VEC4; this path needs VEC3",
          [](auto& f) {
-             f.json["animations"][0]["channels"] = {f.json["animations"][0]["channels"][1]};
+             f.json["animations"][0]["channels"] =
+                 nlohmann::json::array({f.json["animations"][0]["channels"][1]});
              target(f, 0)["path"] = "translation";
          }},
         {"translations as integers", "/animations/0/samplers/0/output", "this path needs FLOAT",

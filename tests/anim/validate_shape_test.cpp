@@ -135,7 +135,7 @@ TEST_CASE("every index out of range is refused where it is", "[validate]") {
     whole.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
     whole.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
     whole.json["images"] = {{{"bufferView", 0}, {"mimeType", "image/png"}}};
-    whole.json["samplers"] = {json::object()};
+    whole.json["samplers"] = json::array({json::object()});
     whole.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
     whole.json["materials"] = {
         {{"pbrMetallicRoughness", {{"baseColorTexture", texture}, {"metallicRoughnessTexture", texture}}},
