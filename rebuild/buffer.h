@@ -11,6 +11,7 @@ namespace gridreel::rebuild {
 
 /// An array of plain values for scratch and results that are rebuilt every frame.
 /// `resize` allocates only beyond the largest size so far and leaves the contents unspecified.
+/// Behind the last value is room for 16 more, so that kernels may read and write whole SIMD registers.
 template <class T>
 class Buffer {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -22,7 +23,7 @@ public:
             data_.reset();
             size_ = capacity_ = 0;
             const std::size_t room = size + size / 4;
-            data_.reset(static_cast<T*>(::operator new[](room * sizeof(T), alignment)));
+            data_.reset(static_cast<T*>(::operator new[]((room + lanes) * sizeof(T), alignment)));
             capacity_ = room;
         }
         size_ = size;
@@ -44,6 +45,7 @@ public:
 
 private:
     static constexpr std::align_val_t alignment{64};
+    static constexpr std::size_t lanes = 16;  // at most
     struct Free {
         void operator()(T* p) const { ::operator delete[](p, alignment); }
     };

@@ -8,10 +8,6 @@
 
 namespace gridreel::traversal {
 
-inline constexpr unsigned hilbert_levels = 12;
-inline constexpr std::uint32_t hilbert_side = 1u << hilbert_levels;           ///< cells along an edge
-inline constexpr std::uint32_t hilbert_length = hilbert_side * hilbert_side;  ///< cells in all
-
 /// A square is four quarters, from the largest square down: (0, 0), (0, 1), (1, 1), (1, 0). The curve runs
 /// through the first and the last mirrored on a diagonal, so that it goes on where it left the one before.
 class HilbertTable {
@@ -55,13 +51,14 @@ private:
 
 inline constexpr HilbertTable hilbert_table;
 
-/// The place of cell (x, y) along the curve, both below `hilbert_side`.
+/// The place along the curve of cell (x, y) of a square of 2^levels x 2^levels, both below 2^levels.
+template <unsigned levels>
 constexpr std::uint32_t hilbert_place(std::uint32_t x, std::uint32_t y) {
-    static_assert(hilbert_levels % HilbertTable::levels == 0);
+    static_assert(levels % HilbertTable::levels == 0 && levels <= 16);
     constexpr std::uint32_t mask = (1u << HilbertTable::levels) - 1;
     unsigned turn = 0;
     std::uint32_t place = 0;
-    for (unsigned level = hilbert_levels; level > 0;) {
+    for (unsigned level = levels; level > 0;) {
         level -= HilbertTable::levels;
         place = place << 2 * HilbertTable::levels |
                 hilbert_table.step(x >> level & mask, y >> level & mask, turn);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace gridreel::traversal {
 
@@ -26,6 +27,16 @@ struct SortedRays {
     std::array<std::size_t, face_count + 1> face_begin{};
 };
 
+/// Where a ray belongs: its face, then its place along the curve. Rays are scattered by the upper bits of the
+/// place, in parallel; what shares them is sorted in cache, bucket by bucket.
+struct RayKey {
+    static constexpr unsigned slope_bits = 12;              ///< of each slope
+    static constexpr unsigned place_bits = 2 * slope_bits;  ///< along the curve
+    static constexpr unsigned bucket_bits = 10;             ///< of the place
+    static constexpr unsigned low_bits = place_bits - bucket_bits;
+    static constexpr std::size_t bucket_count = (face_count + 1) << bucket_bits;  ///< the last for the dead
+};
+
 /// Sorts batch after batch in the same memory. Parallel; the same order for any number of threads (ties keep
 /// the batch's order).
 class RaySort {
@@ -34,10 +45,18 @@ public:
     const SortedRays& sort(const RayBatch& rays);
 
 private:
+    using Histogram = std::array<std::uint32_t, RayKey::bucket_count>;
+
+    void make_keys(const RayBatch& rays);
+    void scatter();
+    void sort_buckets();
+    [[nodiscard]] std::size_t chunk_begin(std::size_t chunk) const;
+
     SortedRays sorted_;
-    rebuild::Buffer<std::uint32_t> faces_;  ///< `Axes::face`, or `face_count` of a ray that hits nothing
-    rebuild::Buffer<std::uint64_t> keys_;   ///< key << 32 | position
-    rebuild::Buffer<std::uint64_t> scratch_;
+    std::vector<Histogram> chunks_;  ///< rays of each bucket, then where the next one goes
+    std::array<std::uint32_t, RayKey::bucket_count + 1> bucket_begin_{};
+    rebuild::Buffer<std::uint64_t> keys_;        ///< key << 32 | position, in the batch's order
+    rebuild::Buffer<std::uint64_t> in_buckets_;  ///< the same, bucket after bucket
 };
 
 }  // namespace gridreel::traversal

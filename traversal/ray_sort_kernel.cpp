@@ -16,109 +16,47 @@ HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
 namespace HWY_NAMESPACE {
 
-using UintTag = hn::RebindToUnsigned<LaneTag>;
-
-/// Bounds of one face, a lane for every lane of rays.
-struct LaneBounds {
-    HWY_ALIGN float low_u[group], high_u[group], low_v[group], high_v[group];
-
-    LaneBounds() {
-        std::fill_n(low_u, group, 2.0f);
-        std::fill_n(low_v, group, 2.0f);
-        std::fill_n(high_u, group, -2.0f);
-        std::fill_n(high_v, group, -2.0f);
-    }
-
-    HWY_INLINE void extend(hn::Mask<LaneTag> which, Lanes u, Lanes v) {
-        const LaneTag d;
-        const Lanes none = hn::Set(d, 2.0f);
-        hn::Store(hn::Min(hn::Load(d, low_u), hn::IfThenElse(which, u, none)), d, low_u);
-        hn::Store(hn::Min(hn::Load(d, low_v), hn::IfThenElse(which, v, none)), d, low_v);
-        hn::Store(hn::Max(hn::Load(d, high_u), hn::IfThenElse(which, u, hn::Neg(none))), d, high_u);
-        hn::Store(hn::Max(hn::Load(d, high_v), hn::IfThenElse(which, v, hn::Neg(none))), d, high_v);
-    }
-
-    [[nodiscard]] SlopeBounds across() const {
-        return {.low_u = *std::min_element(low_u, low_u + group),
-                .high_u = *std::max_element(high_u, high_u + group),
-                .low_v = *std::min_element(low_v, low_v + group),
-                .high_v = *std::max_element(high_v, high_v + group)};
-    }
-};
-
-FaceBounds frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, FramedRay* framed,
-                      std::uint32_t* faces) {
+/// One value per ray's face, which most often is the same for all: gathering is slow.
+HWY_INLINE Lanes of_faces(const std::array<float, face_count + 1>& values,
+                          hn::Vec<hn::RebindToSigned<LaneTag>> faces) {
     const LaneTag d;
-    const UintTag du;
-    std::array<LaneBounds, face_count> bounds;
-    std::size_t i = begin;
-    for (; i + hn::Lanes(d) <= end; i += hn::Lanes(d)) {
+    const hn::RebindToSigned<LaneTag> di;
+    const auto first = hn::GetLane(faces);
+    return HWY_LIKELY(hn::AllTrue(di, hn::Eq(faces, hn::Set(di, first))))
+               ? hn::Set(d, values[static_cast<std::size_t>(first)])
+               : hn::GatherIndex(d, values.data(), faces);
+}
+
+void frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
+                FramedRay* framed, std::uint64_t* keys) {
+    const LaneTag d;
+    const hn::RebindToSigned<LaneTag> di;
+    const Lanes last = hn::Set(d, static_cast<float>((1u << RayKey::slope_bits) - 1));
+    HWY_ALIGN std::int32_t face[group], x[group], y[group];
+    for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
         const auto read = [&](const rebuild::Buffer<float>& values) {
-            return hn::LoadU(d, values.data() + i);
+            return hn::Load(d, values.data() + i);
         };
         const FramedLanes ray = frame_lanes(read(rays.direction[0]), read(rays.direction[1]),
                                             read(rays.direction[2]), read(rays.t_min), read(rays.t_max));
         hn::StoreInterleaved4(ray.slope_u, ray.slope_v, ray.depth_min, ray.depth_max, d, &framed[i].slope_u);
-        hn::StoreU(hn::BitCast(du, hn::ConvertTo(hn::RebindToSigned<LaneTag>(), ray.face)), du, faces + i);
-        const std::uint32_t first = faces[i];
-        const auto alike = hn::Eq(ray.face, hn::Set(d, static_cast<float>(first)));
-        if (HWY_LIKELY(hn::AllTrue(d, alike))) {
-            if (first < face_count) bounds[first].extend(alike, ray.slope_u, ray.slope_v);
-            continue;
-        }
-        for (std::uint32_t f = 0; f < face_count; ++f) {
-            bounds[f].extend(hn::Eq(ray.face, hn::Set(d, static_cast<float>(f))), ray.slope_u, ray.slope_v);
-        }
-    }
-    FaceBounds result;
-    for (std::size_t face = 0; face < face_count; ++face) result[face] = bounds[face].across();
-    for (; i < end; ++i) {
-        const RayFrame ray = ray_frame(rays, i);
-        framed[i] = {ray.slope_u, ray.slope_v, ray.depth_min, ray.depth_max};
-        faces[i] = ray.hits_nothing() ? face_count : ray.axes.face();
-        if (faces[i] == face_count) continue;
-        result[faces[i]].extend({ray.slope_u, ray.slope_u, ray.slope_v, ray.slope_v});
-    }
-    return result;
-}
 
-void make_keys(const KeyMap& map, const FramedRay* framed, const std::uint32_t* faces, std::size_t begin,
-               std::size_t end, std::uint64_t* keys) {
-    const LaneTag d;
-    const UintTag du;
-    const hn::RebindToSigned<LaneTag> di;
-    const Lanes last = hn::Set(d, static_cast<float>(hilbert_side - 1));
-    HWY_ALIGN std::uint32_t x[group], y[group], first[group];
-    for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
-        const std::size_t count = std::min(hn::Lanes(d), end - i);
-        HWY_ALIGN FramedRay rest[group] = {};
-        HWY_ALIGN std::uint32_t rest_faces[group] = {};
-        const bool whole = count == hn::Lanes(d);
-        if (!whole) {
-            std::copy_n(framed + i, count, rest);
-            std::copy_n(faces + i, count, rest_faces);
-        }
-        Lanes u, v, depth_min, depth_max;
-        hn::LoadInterleaved4(d, whole ? &framed[i].slope_u : &rest[0].slope_u, u, v, depth_min, depth_max);
-        const auto face = hn::BitCast(di, hn::LoadU(du, whole ? faces + i : rest_faces));
-        const auto first_face = hn::GetLane(face);
-        const bool alike = hn::AllTrue(di, hn::Eq(face, hn::Set(di, first_face)));
-        const auto of_face = [&](auto tag, const auto& values) {  // gathering is slow
-            return HWY_LIKELY(alike) ? hn::Set(tag, values[static_cast<std::size_t>(first_face)])
-                                     : hn::GatherIndex(tag, values.data(), face);
-        };
-        const Lanes scale = of_face(d, map.scale);
-        const auto place = [&](Lanes slope, const auto& low) {
-            const Lanes at = hn::Mul(hn::Sub(slope, of_face(d, low)), scale);
+        const auto faces = hn::ConvertTo(di, ray.face);
+        const Lanes scale = of_faces(map.scale, faces);
+        const auto cell = [&](Lanes slope, const std::array<float, face_count + 1>& low) {
+            const Lanes along = hn::Mul(hn::Sub(slope, of_faces(low, faces)), scale);
             // The order of operands lets a NaN of a ray that hits nothing become a number.
-            const Lanes held = hn::Min(hn::Max(at, hn::Zero(d)), last);
-            return hn::BitCast(du, hn::ConvertTo(di, held));
+            return hn::ConvertTo(di, hn::Min(hn::Max(along, hn::Zero(d)), last));
         };
-        hn::Store(place(u, map.low_u), du, x);
-        hn::Store(place(v, map.low_v), du, y);
-        hn::Store(of_face(du, map.first), du, first);
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            const std::uint32_t key = first[lane] + hilbert_place(x[lane], y[lane]);
+        hn::Store(cell(ray.slope_u, map.low_u), di, x);
+        hn::Store(cell(ray.slope_v, map.low_v), di, y);
+        hn::Store(faces, di, face);
+        for (std::size_t lane = 0; lane < std::min(hn::Lanes(d), end - i); ++lane) {
+            const auto bits = [lane](const std::int32_t* lanes) {
+                return static_cast<std::uint32_t>(lanes[lane]);
+            };
+            const std::uint32_t key =
+                bits(face) << RayKey::place_bits | hilbert_place<RayKey::slope_bits>(bits(x), bits(y));
             keys[i + lane] = std::uint64_t{key} << 32 | (i + lane);
         }
     }
@@ -132,23 +70,29 @@ HWY_AFTER_NAMESPACE();
 namespace gridreel::traversal {
 
 HWY_EXPORT(frame_rays);
-HWY_EXPORT(make_keys);
 
-void SlopeBounds::extend(const SlopeBounds& other) {
-    low_u = std::min(low_u, other.low_u);
-    high_u = std::max(high_u, other.high_u);
-    low_v = std::min(low_v, other.low_v);
-    high_v = std::max(high_v, other.high_v);
+void SlopeBounds::extend(float u, float v) {
+    low_u = std::min(low_u, u);
+    high_u = std::max(high_u, u);
+    low_v = std::min(low_v, v);
+    high_v = std::max(high_v, v);
 }
 
-FaceBounds frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, FramedRay* framed,
-                      std::uint32_t* faces) {
-    return HWY_DYNAMIC_DISPATCH(frame_rays)(rays, begin, end, framed, faces);
+KeyMap::KeyMap(const FaceBounds& bounds) {
+    for (std::size_t face = 0; face < face_count; ++face) {
+        constexpr SlopeBounds whole{.low_u = -1.0f, .high_u = 1.0f, .low_v = -1.0f, .high_v = 1.0f};
+        const SlopeBounds& box = bounds[face].empty() ? whole : bounds[face];
+        // One scale for both axes, so that the curve's squares are squares of slopes.
+        const float extent = std::max({box.high_u - box.low_u, box.high_v - box.low_v, 1e-30f});
+        low_u[face] = box.low_u;
+        low_v[face] = box.low_v;
+        scale[face] = static_cast<float>((1u << RayKey::slope_bits) - 1) / extent;
+    }
 }
 
-void make_keys(const KeyMap& map, const FramedRay* framed, const std::uint32_t* faces, std::size_t begin,
-               std::size_t end, std::uint64_t* keys) {
-    HWY_DYNAMIC_DISPATCH(make_keys)(map, framed, faces, begin, end, keys);
+void frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
+                FramedRay* framed, std::uint64_t* keys) {
+    HWY_DYNAMIC_DISPATCH(frame_rays)(rays, begin, end, map, framed, keys);
 }
 
 }  // namespace gridreel::traversal

@@ -1,0 +1,112 @@
+#include "traversal/ray_sort.h"
+#include "test_rays.h"
+#include "test_triangles.h"
+
+#include <catch2/catch.hpp>
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace gridreel::tests {
+namespace {
+
+using traversal::ray_frame;
+using traversal::RayBatch;
+using traversal::RaySort;
+using traversal::SortedRays;
+
+std::vector<std::uint32_t> order_of(const RayBatch& rays, int threads) {
+    RaySort sort;
+    tbb::task_arena arena(threads);
+    return arena.execute([&] {
+        const SortedRays& sorted = sort.sort(rays);
+        return std::vector<std::uint32_t>(sorted.order.begin(), sorted.order.end());
+    });
+}
+
+/// Rays to all sides, some of which hit nothing.
+RayBatch all_sides(std::size_t count) {
+    RayBatch rays = from_point({0.1f, 0.2f, 0.3f}, count, 61);
+    for (std::size_t i = 0; i < count; i += 7) rays.t_max[i] = 0.0f;
+    for (std::size_t i = 3; i < count; i += 70) {
+        rays.set_direction(i, glm::vec3{std::numeric_limits<float>::quiet_NaN()});
+    }
+    return rays;
+}
+
+/// Mean distance between the slopes of rays that follow each other.
+double step(const RayBatch& rays, const std::vector<std::uint32_t>& order) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < order.size(); ++i) {
+        const auto a = ray_frame(rays, order[i - 1]), b = ray_frame(rays, order[i]);
+        sum += std::hypot(a.slope_u - b.slope_u, a.slope_v - b.slope_v);
+    }
+    return sum / double(order.size() - 1);
+}
+
+}  // namespace
+
+TEST_CASE("sorting keeps every ray, face by face, and frames it", "[traversal]") {
+    for (const std::size_t count : {0u, 1u, 15u, 16u, 17u, 5000u, 100'001u}) {
+        INFO(count << " rays");
+        const RayBatch rays = all_sides(count);
+        RaySort sort;
+        const SortedRays& sorted = sort.sort(rays);
+        std::vector<std::uint32_t> seen(sorted.order.begin(), sorted.order.end());
+        std::sort(seen.begin(), seen.end());
+        REQUIRE(seen.size() == count);
+        std::size_t strange = 0;
+        for (std::size_t i = 0; i < count; ++i) strange += seen[i] != i;
+        for (unsigned face = 0; face <= traversal::face_count; ++face) {
+            const std::size_t end =
+                face == traversal::face_count ? count : std::size_t(sorted.face_begin[face + 1]);
+            for (std::size_t place = sorted.face_begin[face]; place < end; ++place) {
+                const std::uint32_t ray = sorted.order[place];
+                const auto frame = ray_frame(rays, ray);
+                const traversal::FramedRay& framed = sorted.framed[ray];
+                if (frame.hits_nothing()) {
+                    strange += face != traversal::face_count;
+                } else {
+                    strange += face != frame.axes.face() || framed.slope_u != frame.slope_u ||
+                               framed.slope_v != frame.slope_v || framed.depth_min != frame.depth_min ||
+                               framed.depth_max != frame.depth_max;
+                }
+            }
+        }
+        CHECK(strange == 0);
+    }
+}
+
+TEST_CASE("the order of sorted rays does not depend on the number of threads", "[traversal]") {
+    const RayBatch rays = all_sides(150'000);
+    const std::vector<std::uint32_t> alone = order_of(rays, 1);
+    CHECK(order_of(rays, 2) == alone);
+    CHECK(order_of(rays, 5) == alone);
+}
+
+TEST_CASE("sorted rays that follow each other point alike", "[traversal]") {
+    // Spread evenly, and most of them in one spot, as from a far light.
+    for (const float spot : {1.0f, 1e-3f}) {
+        constexpr std::size_t count = 90'000;
+        Random random(62);
+        RayBatch rays;
+        rays.resize(count, glm::vec3{0.0f}, traversal::RayOrder::arbitrary);
+        for (std::size_t i = 0; i < count; ++i) {
+            const float size = i % 10 == 0 ? 1.0f : spot;
+            rays.set_direction(i,
+                               {random.uniform(-0.5f, 0.5f) * size, random.uniform(-0.5f, 0.5f) * size, 1});
+            rays.t_min[i] = 0.0f;
+            rays.t_max[i] = 1.0f;
+        }
+        // So many points, evenly spread, are 1/300 apart; the spot is smaller than the cells of its bucket.
+        const double apart = spot == 1.0f ? 1.0 / 300.0 : 0.1 / 95.0 + 0.9 * spot;
+        CHECK(step(rays, order_of(rays, 2)) < 4.0 * apart);
+    }
+}
+
+}  // namespace gridreel::tests
