@@ -13,6 +13,8 @@
 #include "traversal/packet_kernel.h"
 #include "traversal/rounding.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -102,6 +104,12 @@ HWY_INLINE void load_sorted(const PacketSource& source, const PacketSource::Cut&
     const std::uint32_t* order = source.sorted->order.data() + cut.begin;
     const FramedRay* framed = source.sorted->framed.data();
     const float* along = source.rays.direction[std::size_t(cut.axes.k)].data();
+
+    // While this packet is traced, the rays of the next are on their way.
+    const std::size_t next_end = std::min(cut.end + rays_per_packet, source.sorted->order.size());
+    for (std::size_t next = cut.end; next < next_end; ++next) {
+        hwy::Prefetch(&framed[source.sorted->order[next]]);
+    }
 
     HWY_ALIGN float staged[group][4];
     for (std::size_t block = 0; block < packet.block_count(); ++block) {
