@@ -11,7 +11,8 @@ namespace gridreel::rebuild {
 
 /// An array of plain values for scratch and results that are rebuilt every frame.
 /// `resize` allocates only beyond the largest size so far and leaves the contents unspecified.
-/// Behind the last value is room for 16 more, so that kernels may read and write whole SIMD registers.
+/// Behind the last value, if there is one, is room for 16 more, so that kernels may read and write whole SIMD
+/// registers.
 template <class T>
 class Buffer {
     static_assert(std::is_trivially_copyable_v<T>);

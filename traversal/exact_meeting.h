@@ -13,8 +13,8 @@ struct FramedPoint {
 /// Decides in double precision whether a ray passes inside the triangle, edges and corners included.
 ///
 /// The edge functions change sign exactly when the edge's ends change places, as those of the float kernel
-/// do, and err 2^-29 times less: around a vertex that a ray hits squarely, one triangle always feels
-/// responsible (compare Woop, Benthin & Wald 2013, section 3.2).
+/// do, and err by some 2^-52 of distance times edge, far less than those: around a vertex that a ray hits
+/// squarely, one triangle always feels responsible (compare Woop, Benthin & Wald 2013, section 3.2).
 ///
 /// @param sign  1 or -1: the ray's direction along K
 /// @return depth along K, or nothing; a triangle seen edge-on is never hit

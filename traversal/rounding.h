@@ -3,9 +3,8 @@
 
 namespace gridreel::traversal {
 
-/// Eight roundings of a float, relative to the largest term. Bounds over many rays are widened by it, and an
-/// edge function within it of zero is decided in double precision, so that culling never drops what a ray
-/// would hit.
+/// Eight roundings of a float, relative to the largest term. Bounds over many rays are widened by it, so that
+/// culling never drops what a ray would hit; `EdgeFunctions::error` says what it means for an edge.
 inline constexpr float rounding_margin = 0x1p-21f;
 
 /// A hit's depth may be off by this part of itself, more rightly 1e-5: worse ones are computed in double

@@ -125,7 +125,10 @@ HWY_INLINE EdgeFunctions<V> edge_functions(D d, Vec3<V> a, Vec3<V> b, Vec3<V> c,
     // Volume and divisor round by 2^-21 of reach * |AB| * |AC|. Where they are small against that, the
     // triangle is seen at a low angle or is a sliver, and no float depth is good enough.
     const V scale = hn::Mul(hn::Mul(reach, size_ab), size_ac);
-    const auto precise = hn::Ge(edges.volume, hn::Mul(hn::Set(d, 0x1p-7f), scale));
+    // Of what is so small that products leave the range of floats nothing is known.
+    const V edge_and_reach = hn::Mul(reach, edge);
+    const auto in_range = hn::Ge(hn::Mul(edge_and_reach, edge), hn::Set(d, 0x1p-80f));
+    const auto precise = hn::And(in_range, hn::Ge(edges.volume, hn::Mul(hn::Set(d, 0x1p-7f), scale)));
 
     edges.depth_min = hn::Min(a.k, hn::Min(b.k, c.k));
     edges.depth_max = hn::Max(a.k, hn::Max(b.k, c.k));
@@ -133,13 +136,14 @@ HWY_INLINE EdgeFunctions<V> edge_functions(D d, Vec3<V> a, Vec3<V> b, Vec3<V> c,
     // Not even the volume's sign may be right, which all edge functions share. They add up to twice the
     // volume over the depth of what they hit.
     V doubt = spread;
-    const auto signed_right = hn::Ge(edges.volume, hn::Mul(hn::Set(d, rounding_margin), scale));
+    const auto signed_right =
+        hn::And(in_range, hn::Ge(edges.volume, hn::Mul(hn::Set(d, rounding_margin), scale)));
     if (HWY_UNLIKELY(!hn::AllTrue(d, signed_right))) {
-        const V more = hn::Div(hn::Mul(reach, edge), hn::Max(edges.depth_min, hn::Zero(d)));
-        doubt = hn::IfThenElse(signed_right, doubt, hn::Add(doubt, more));
+        const V more = hn::Div(edge_and_reach, hn::Max(edges.depth_min, hn::Zero(d)));
+        doubt =
+            hn::IfThenElse(signed_right, doubt, hn::IfThenElse(in_range, hn::Add(doubt, more), hn::Inf(d)));
     }
-    // The least is for products below the range of floats.
-    edges.error = hn::MulAdd(hn::Mul(hn::Set(d, 4.0f * rounding_margin), doubt), edge, hn::Set(d, 0x1p-120f));
+    edges.error = hn::Mul(hn::Mul(hn::Set(d, 4.0f * rounding_margin), doubt), edge);
     edges.sure = hn::IfThenElse(precise, edges.error, hn::Inf(d));
     return edges;
 }

@@ -55,9 +55,11 @@ TEST_CASE("an image that cannot be decoded is an error that names it", "[engine]
     anim::Image damaged = test::png(16, 16, 3, std::vector<std::uint8_t>(16 * 16 * 3, 100));
     damaged.name = "skin.png";
     damaged.encoded.resize(60);
-    [[maybe_unused]] const OthersLeaks others_leaks;
-    CHECK_THROWS_WITH(engine::decode(damaged), Catch::Contains("skin.png"));
-    CHECK_THROWS_AS(engine::decode(damaged), Error);
+    {
+        [[maybe_unused]] const OthersLeaks others_leaks;
+        CHECK_THROWS_WITH(engine::decode(damaged), Catch::Contains("skin.png"));
+        CHECK_THROWS_AS(engine::decode(damaged), Error);
+    }
 
     const anim::Image unknown{
         .name = "notes.txt", .mime_type = "image/png", .encoded = std::vector<std::byte>(100)};

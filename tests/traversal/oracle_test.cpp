@@ -41,6 +41,8 @@ std::vector<Triangles> nasty_triangles() {
             crowds_in_crowds(),
             scaled(soup(400, 0.2f), 1e6f, {3e6f, -2e6f, 5e6f}),
             scaled(soup(400, 0.2f), 1e-6f, {}),
+            scaled(slivers(200), 1e-8f, {}),
+            scaled(soup(200, 0.2f), 1e-11f, {}),
             scaled(sheet(16), 1.0f, {1000.0f, 2000.0f, 3000.0f})};
 }
 

@@ -68,6 +68,13 @@ TEST_CASE("clear hits and misses agree with the textbook in double precision", "
     }
 }
 
+TEST_CASE("scenes so small that products of coordinates leave the range of floats are hit, too",
+          "[traversal][reference]") {
+    constexpr float scale = 1e-11f;
+    const Triangles triangles = scaled(soup(300, 0.3f), scale, {});
+    check_clear_hits(triangles, from_point(glm::vec3{0.31f, 0.17f, 0.23f} * scale, 4000, 33));
+}
+
 TEST_CASE("triangles far smaller than their distance are not lost", "[traversal][reference]") {
     // A million-triangle sheet seen from afar has triangles of this size: aim at the middle of each.
     const Triangles triangles = scaled(sheet(40), 1e-3f, {0.5f, -0.25f, 0.125f});
