@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <vector>
 
 namespace gridreel::traversal {
 namespace {
@@ -242,29 +241,13 @@ void any_in_packets(RTCScene scene, const RayBatch& rays, const PacketRun& run, 
     }
 }
 
-/// Runs `work(begin, end)` over pieces of [0, count).
 template <class Work>
 void in_parallel(std::size_t count, const Work& work) {
-    constexpr std::size_t piece = rays_per_task;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (count + piece - 1) / piece),
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (count + width - 1) / width, rays_per_task / width),
                       [&](const auto& range) {
                           const FlushTinyNumbers flush;
-                          for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                              work(i * piece, std::min((i + 1) * piece, count));
-                          }
+                          work(range.begin() * width, std::min(range.end() * width, count));
                       });
-}
-
-/// Positions of the rays of runs [begin, end).
-std::vector<std::uint32_t> positions(const SortedRays& sorted, std::size_t begin, std::size_t end) {
-    std::vector<std::uint32_t> all;
-    all.reserve(RayRun::longest * (end - begin));
-    for (std::size_t run = begin; run < end; ++run) {
-        for (std::uint32_t i = 0; i < sorted.order[run].count(); ++i) {
-            all.push_back(sorted.order[run].first() + i);
-        }
-    }
-    return all;
 }
 
 bool are_neighbours(const RayBatch& rays) {
@@ -287,19 +270,12 @@ template <class Packets, class Single>
 TraceReport EmbreeTracer::trace(const RayBatch& rays, const Packets& packets, const Single& single) {
     const bool resumed = !rays.after_triangle.empty();
     if (resumed) scene_.allow_filters();
-    if (!resumed && sorts(rays)) {
-        const SortedRays& sorted = ray_sort_.sort(rays);
-        in_parallel(sorted.order.size(), [&](std::size_t begin, std::size_t end) {
-            const std::vector<std::uint32_t> order = positions(sorted, begin, end);
-            packets({.begin = 0, .end = order.size(), .order = order.data(), .coherent = true});
-        });
-        return {.rays = rays.size()};
-    }
+    const std::uint32_t* const order = resumed ? nullptr : order_of(rays);
     in_parallel(rays.size(), [&](std::size_t begin, std::size_t end) {
         if (resumed) {
             for_each_resumed(rays, triangles_, begin, end, single);
         } else if (in_packets(rays)) {
-            packets({.begin = begin, .end = end, .order = nullptr, .coherent = are_neighbours(rays)});
+            packets({.begin = begin, .end = end, .order = order, .coherent = are_neighbours(rays)});
         } else {
             for_each_single(rays, begin, end, single);
         }
@@ -366,8 +342,9 @@ bool EmbreeTracer::in_packets(const RayBatch& rays) const {
     return way_ == EmbreeRays::automatic ? are_neighbours(rays) : way_ != EmbreeRays::single;
 }
 
-bool EmbreeTracer::sorts(const RayBatch& rays) const {
-    return way_ == EmbreeRays::sorted && rays.common_origin && rays.order == RayOrder::arbitrary;
+const std::uint32_t* EmbreeTracer::order_of(const RayBatch& rays) {
+    const bool sorts = way_ == EmbreeRays::sorted && rays.common_origin && rays.order == RayOrder::arbitrary;
+    return sorts ? ray_sort_.sort(rays).order.data() : nullptr;
 }
 
 }  // namespace gridreel::traversal

@@ -6,6 +6,7 @@
 #include "traversal/tracer.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -38,7 +39,8 @@ private:
     TraceReport trace(const RayBatch& rays, const Packets& packets, const Single& single);
     [[nodiscard]] bool in_packets(const RayBatch& rays) const;
 
-    [[nodiscard]] bool sorts(const RayBatch& rays) const;
+    /// What packets are cut from: positions in the batch, or null for its own order.
+    [[nodiscard]] const std::uint32_t* order_of(const RayBatch& rays);
 
     EmbreeOptions options_;
     EmbreeRays way_;

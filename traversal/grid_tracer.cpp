@@ -4,9 +4,8 @@
 #include "traversal/single_ray_kernel.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
-
-#include <algorithm>
 
 namespace gridreel::traversal {
 namespace {
@@ -16,23 +15,13 @@ using Range = tbb::blocked_range<std::size_t>;
 constexpr std::size_t rays_per_task = 1024;  // one by one
 constexpr std::size_t packets_per_task = 4;
 
-/// Runs of sorted rays that one task cuts packets from; the last packet of each may stay half empty.
-std::size_t runs_per_task(std::size_t runs) {
-    return std::clamp<std::size_t>(runs / 64, 512, 4096);
-}
-
 /// Runs `trace(begin, end)` over pieces of [0, count) in parallel. The reports are integers, so their sum
 /// does not depend on the order.
 template <class Trace>
-TraceReport trace_in_parallel(std::size_t count, std::size_t piece, const Trace& trace) {
+TraceReport trace_in_parallel(std::size_t count, std::size_t grain, const Trace& trace) {
     return tbb::parallel_reduce(
-        Range(0, (count + piece - 1) / piece), TraceReport{},
-        [&](const Range& range, TraceReport report) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                report += trace(i * piece, std::min((i + 1) * piece, count));
-            }
-            return report;
-        },
+        Range(0, count, grain), TraceReport{},
+        [&](const Range& range, TraceReport report) { return report += trace(range.begin(), range.end()); },
         [](TraceReport a, const TraceReport& b) { return a += b; });
 }
 
@@ -46,19 +35,17 @@ rebuild::BuildReport GridTracer::rebuild(const rebuild::TriangleView& triangles)
     return builder_.rebuild(triangles);
 }
 
-/// @param packets     traces [begin, end) of a `PacketSource`
+/// @param packets     traces packets [begin, end) of a `PacketSource`
 /// @param one_by_one  traces rays [begin, end)
 template <class Packets, class OneByOne>
 TraceReport GridTracer::trace(const RayBatch& rays, const Packets& packets, const OneByOne& one_by_one) {
     resumed_.begin(rays, triangles_);
     const GridScene scene{builder_.grid(), triangles_};
     if (in_packets(rays)) {
-        const PacketSource source{.rays = rays, .resumed = resumed_, .sorted = sorted(rays)};
-        const std::size_t piece =
-            source.sorted ? runs_per_task(source.size()) : packets_per_task * rays_per_packet;
-        return trace_in_parallel(source.size(), piece, [&](std::size_t begin, std::size_t end) {
-            return packets(scene, source, begin, end);
-        });
+        const PacketSource source(rays, resumed_, sorted(rays));
+        return trace_in_parallel(
+            source.packet_count(), packets_per_task,
+            [&](std::size_t begin, std::size_t end) { return packets(scene, source, begin, end); });
     }
     return trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t begin, std::size_t end) {
         return one_by_one(scene, begin, end);

@@ -42,8 +42,8 @@ void for_each_face(const PacketSource& source, std::size_t begin, std::size_t en
 /// @param store  writes a marched packet's answers
 /// @param dead   writes the answer of a ray that hits nothing
 template <Wanted wanted, class Store, class Dead>
-TraceReport trace_packets(const GridScene& scene, const PacketSource& source, std::size_t begin,
-                          std::size_t end, const Store& store, const Dead& dead) {
+TraceReport trace_packets(const GridScene& scene, const PacketSource& source, std::size_t first,
+                          std::size_t last, const Store& store, const Dead& dead) {
     TraceReport report;
     Packet packet;
     Candidates candidates;
@@ -52,30 +52,21 @@ TraceReport trace_packets(const GridScene& scene, const PacketSource& source, st
         if (traceable) March<wanted>(scene, loaded, candidates, report).run();
         store(loaded);
     };
-    if (source.sorted == nullptr) {
-        report.rays = end - begin;
-        for (std::size_t i = begin; i < end; i += rays_per_packet) {
-            const std::size_t count = std::min(rays_per_packet, end - i);
-            if (load_uniform(source, i, count, packet)) {
-                trace(packet);
-            } else {
-                for_each_face(source, i, i + count, packet, trace, dead);
+    for (std::size_t p = first; p < last; ++p) {
+        const PacketSource::Cut cut = source.cut(p);
+        report.rays += cut.end - cut.begin;
+        if (source.sorted != nullptr) {
+            if (cut.begin >= source.sorted->face_begin[face_count]) {
+                for (std::size_t i = cut.begin; i < cut.end; ++i) dead(source.sorted->order[i]);
+                continue;
             }
-        }
-        return report;
-    }
-    const SortedRays& sorted = *source.sorted;
-    for (unsigned face = 0; face < face_count; ++face) {
-        const std::size_t face_end = std::min(end, sorted.face_begin[face + 1]);
-        for (std::size_t run = std::max(begin, sorted.face_begin[face]); run < face_end;) {
-            run = load_sorted<wanted>(source, axes_of_face(face), run, face_end, packet);
-            report.rays += packet.ray_count;
+            load_sorted<wanted>(source, cut, packet);
             trace(packet);
+        } else if (load_uniform(source, cut.begin, cut.end - cut.begin, packet)) {
+            trace(packet);
+        } else {
+            for_each_face(source, cut.begin, cut.end, packet, trace, dead);
         }
-    }
-    for (std::size_t run = std::max(begin, sorted.face_begin[face_count]); run < end; ++run) {
-        dead(sorted.order[run].first());
-        ++report.rays;
     }
     return report;
 }
@@ -103,6 +94,33 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gridreel::traversal {
+
+PacketSource::PacketSource(const RayBatch& batch, const ResumedRays& begun, const SortedRays* sorted_rays)
+    : rays(batch), resumed(begun), sorted(sorted_rays) {
+    const auto packets_for = [](std::size_t count) {
+        return (count + rays_per_packet - 1) / rays_per_packet;
+    };
+    if (sorted == nullptr) {
+        packet_begin_.back() = packets_for(rays.size());
+        return;
+    }
+    for (std::size_t face = 0; face <= face_count; ++face) {
+        const std::size_t end = face == face_count ? rays.size() : sorted->face_begin[face + 1];
+        packet_begin_[face + 1] = packet_begin_[face] + packets_for(end - sorted->face_begin[face]);
+    }
+}
+
+PacketSource::Cut PacketSource::cut(std::size_t packet) const {
+    if (sorted == nullptr) {
+        const std::size_t begin = packet * rays_per_packet;
+        return {.begin = begin, .end = std::min(begin + rays_per_packet, rays.size()), .axes = {}};
+    }
+    unsigned face = 0;
+    while (packet >= packet_begin_[face + 1]) ++face;
+    const std::size_t begin = sorted->face_begin[face] + (packet - packet_begin_[face]) * rays_per_packet;
+    const std::size_t face_end = face == face_count ? rays.size() : sorted->face_begin[face + 1];
+    return {.begin = begin, .end = std::min(begin + rays_per_packet, face_end), .axes = axes_of_face(face)};
+}
 
 HWY_EXPORT(closest_in_packets);
 HWY_EXPORT(any_in_packets);

@@ -7,24 +7,38 @@
 #include "traversal/resumed_rays.h"
 #include "traversal/tracer.h"
 
+#include <array>
 #include <cstddef>
 
 namespace gridreel::traversal {
 
-/// A batch with a common origin, and the order to cut packets from.
-struct PacketSource {
-    const RayBatch& rays;
-    const ResumedRays& resumed;          ///< begun with `rays`
-    const SortedRays* sorted = nullptr;  ///< of `rays`; nullptr: the batch's own order
+/// A batch with a common origin, cut into packets of up to `rays_per_packet`.
+class PacketSource {
+public:
+    /// @param begun        with `batch`
+    /// @param sorted_rays  of `batch`; nullptr: packets are cut in the batch's own order
+    PacketSource(const RayBatch& batch, const ResumedRays& begun, const SortedRays* sorted_rays);
 
-    /// Rays, or runs of sorted rays: what pieces of work are counted in.
-    [[nodiscard]] std::size_t size() const { return sorted ? sorted->order.size() : rays.size(); }
+    [[nodiscard]] std::size_t packet_count() const { return packet_begin_.back(); }
+
+    const RayBatch& rays;
+    const ResumedRays& resumed;
+    const SortedRays* sorted;
+
+    /// The rays of one packet: places in the order. Of sorted rays they all have the frame `axes`.
+    struct Cut {
+        std::size_t begin, end;
+        Axes axes;
+    };
+    [[nodiscard]] Cut cut(std::size_t packet) const;
+
+private:
+    std::array<std::size_t, face_count + 2> packet_begin_{};  ///< of each face, and of the dead
 };
 
-/// Finds the closest hits of [begin, end) of the source, in packets of up to `rays_per_packet` (Wald et al.
-/// 2006, section 3): walks the grid slice by slice along K, collects the triangles of the cells that the
-/// packet's frustum overlaps, and culls them against the frustum and against each block before any ray is
-/// tested.
+/// Finds the closest hit of every ray of packets [begin, end) (Wald et al. 2006, section 3): walks the grid
+/// slice by slice along K, collects the triangles of the cells that the packet's frustum overlaps, and culls
+/// them against the frustum and against each block before any ray is tested.
 TraceReport closest_in_packets(const GridScene& scene, const PacketSource& source, std::size_t begin,
                                std::size_t end, HitBatch& hits);
 

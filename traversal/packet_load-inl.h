@@ -92,54 +92,45 @@ HWY_INLINE void finish_loading(const PacketSource& source, Packet& packet) {
     bound_blocks(packet);
 }
 
-/// Fills the packet with as many runs of sorted rays of the frame `axes` as it holds. Only closest hits need
-/// `depth_per_t`.
-/// @param begin, end  runs in the order, at least one
-/// @return the first run that is left
+/// Fills the packet with rays of one face. Only closest hits need `depth_per_t`.
 template <Wanted wanted>
-HWY_INLINE std::size_t load_sorted(const PacketSource& source, Axes axes, std::size_t begin, std::size_t end,
-                                   Packet& packet) {
+HWY_INLINE void load_sorted(const PacketSource& source, const PacketSource::Cut& cut, Packet& packet) {
     const LaneTag d;
-    const RayRun* order = source.sorted->order.data();
-    const FramedRay* framed = source.sorted->framed.data();
+    const hn::FixedTag<float, 4> four;
+    const auto count = static_cast<std::uint32_t>(cut.end - cut.begin);
     packet.origin = *source.rays.common_origin;
-    packet.axes = axes;
-
-    alignas(64) FramedRay staged[rays_per_packet];
-    std::size_t run = begin, count = 0;
-    for (; run < end && count + order[run].count() <= rays_per_packet; ++run) {
-        const std::uint32_t first = order[run].first();
-        for (std::uint32_t i = 0; i < order[run].count(); ++i, ++count) {
-            staged[count] = framed[first + i];
-            packet.ray[count] = first + i;
-        }
-    }
-    packet.ray_count = static_cast<std::uint32_t>(count);
-    for (; count % rays_per_block != 0; ++count) {  // lanes behind the last ray repeat it
-        staged[count] = staged[count - 1];
-        packet.ray[count] = packet.ray[count - 1];
-    }
+    packet.axes = cut.axes;
+    packet.ray_count = count;
+    const std::uint32_t* order = source.sorted->order.data() + cut.begin;
+    const FramedRay* framed = source.sorted->framed.data();
+    const float* along = source.rays.direction[std::size_t(cut.axes.k)].data();
 
     // While this packet is traced, the rays of the next are on their way.
-    const std::size_t next_end = std::min(run + (run - begin), source.sorted->order.size());
-    for (std::size_t next = run; next < next_end; ++next) hwy::Prefetch(&framed[order[next].first()]);
-
-    for (std::size_t lane = 0; lane < count; lane += hn::Lanes(d)) {
-        Lanes slope_u, slope_v, depth_min, depth_max;
-        hn::LoadInterleaved4(d, &staged[lane].slope_u, slope_u, slope_v, depth_min, depth_max);
-        hn::Store(slope_u, d, packet.slope_u + lane);
-        hn::Store(slope_v, d, packet.slope_v + lane);
-        hn::Store(depth_min, d, packet.depth_min + lane);
-        hn::Store(depth_max, d, packet.depth_max + lane);
+    const std::size_t next_end = std::min(cut.end + rays_per_packet, source.sorted->order.size());
+    for (std::size_t next = cut.end; next < next_end; ++next) {
+        hwy::Prefetch(&framed[source.sorted->order[next]]);
     }
-    if (wanted == Wanted::closest) {
-        const float* along = source.rays.direction[std::size_t(axes.k)].data();
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            packet.depth_per_t[lane] = std::fabs(along[packet.ray[lane]]);
+
+    HWY_ALIGN float staged[group][4];
+    for (std::size_t block = 0; block < packet.block_count(); ++block) {
+        const std::size_t begin = block * rays_per_block;
+        for (std::size_t i = 0; i < rays_per_block; ++i) {
+            const std::uint32_t ray = order[std::min<std::size_t>(begin + i, count - 1)];
+            packet.ray[begin + i] = ray;
+            if (wanted == Wanted::closest) packet.depth_per_t[begin + i] = std::fabs(along[ray]);
+            hn::Store(hn::Load(four, &framed[ray].slope_u), four, staged[i]);
+        }
+        for (std::size_t first = 0; first < rays_per_block; first += hn::Lanes(d)) {
+            const std::size_t lane = begin + first;
+            Lanes slope_u, slope_v, depth_min, depth_max;
+            hn::LoadInterleaved4(d, staged[first], slope_u, slope_v, depth_min, depth_max);
+            hn::Store(slope_u, d, packet.slope_u + lane);
+            hn::Store(slope_v, d, packet.slope_v + lane);
+            hn::Store(depth_min, d, packet.depth_min + lane);
+            hn::Store(depth_max, d, packet.depth_max + lane);
         }
     }
     finish_loading(source, packet);
-    return run;
 }
 
 /// Fills the packet with rays [begin, begin + count) of the batch, if they all have one frame and can hit
@@ -232,9 +223,9 @@ HWY_INLINE void store_hits(const Packet& packet, HitBatch& hits) {
 
 /// Writes which of the packet's rays are blocked into the batch.
 HWY_INLINE void store_occlusion(const Packet& packet, OcclusionBatch& occluded) {
-    std::uint8_t* const blocked = occluded.data();  // bytes might be anything, for all the compiler knows
-    const std::size_t count = packet.ray_count;
-    for (std::size_t lane = 0; lane < count; ++lane) blocked[packet.ray[lane]] = packet.depth[lane] < 0.0f;
+    for (std::size_t lane = 0; lane < packet.ray_count; ++lane) {
+        occluded[packet.ray[lane]] = packet.depth[lane] < 0.0f;
+    }
 }
 
 }  // namespace HWY_NAMESPACE

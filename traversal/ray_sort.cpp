@@ -7,9 +7,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
-#include <type_traits>
 #include <utility>
 
 namespace gridreel::traversal {
@@ -27,16 +24,7 @@ KeyMap key_map(const RayBatch& rays) {
         const RayFrame ray = ray_frame(rays, i);
         if (!ray.hits_nothing()) bounds[ray.axes.face()].extend(ray.slope_u, ray.slope_v);
     }
-    return {bounds, rays.size()};
-}
-
-template <class To>
-To as(std::uint64_t key) {
-    if constexpr (std::is_same_v<To, RayRun>) {
-        return RayRun(static_cast<std::uint32_t>(key));
-    } else {
-        return key;
-    }
+    return KeyMap(bounds);
 }
 
 /// Stable, by eight bits of the keys from `shift` on.
@@ -48,18 +36,19 @@ void sort_by_digit(const std::uint64_t* from, To* to, std::size_t count, unsigne
     for (std::size_t i = 0; i < count; ++i) ++next[digit(from[i])];
     std::uint32_t sum = 0;
     for (std::uint32_t& value : next) sum += std::exchange(value, sum);
-    for (std::size_t i = 0; i < count; ++i) to[next[digit(from[i])]++] = as<To>(from[i]);
+    for (std::size_t i = 0; i < count; ++i) to[next[digit(from[i])]++] = static_cast<To>(from[i]);
 }
 
 /// From the keys of one bucket to its part of the order: as fine as so many rays need.
 /// @param spare  room for as many keys
-void sort_bucket(std::uint64_t* keys, std::size_t count, std::uint64_t* spare, RayRun* order) {
+void sort_bucket(std::uint64_t* keys, std::size_t count, std::uint64_t* spare, std::uint32_t* order) {
     constexpr unsigned upper = 32 + RayKey::low_bits - 8;
     constexpr std::size_t few = 32;          // sooner sorted by comparing
-    constexpr std::size_t one_digit = 2048;  // eight runs for each of its values
+    constexpr std::size_t one_digit = 2048;  // eight rays for each of its values
     if (count <= few) {
         std::sort(keys, keys + count);
-        std::transform(keys, keys + count, order, as<RayRun>);
+        std::transform(keys, keys + count, order,
+                       [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
     } else if (count <= one_digit) {
         sort_by_digit(keys, order, count, upper);
     } else {
@@ -71,9 +60,10 @@ void sort_bucket(std::uint64_t* keys, std::size_t count, std::uint64_t* spare, R
 }  // namespace
 
 const SortedRays& RaySort::sort(const RayBatch& rays) {
-    assert(rays.size() < std::size_t{1} << 31);
-    cut_chunks(rays.size());
+    const auto threads = static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));
+    chunks_.resize(std::clamp<std::size_t>(rays.size() / rays_per_chunk, 1, threads));
     sorted_.framed.resize(rays.size());
+    sorted_.order.resize(rays.size());
     keys_.resize(rays.size());
     in_buckets_.resize(rays.size());
 
@@ -86,25 +76,20 @@ const SortedRays& RaySort::sort(const RayBatch& rays) {
     return sorted_;
 }
 
-void RaySort::cut_chunks(std::size_t ray_count) {
-    const auto threads = static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));
-    chunks_.resize(std::clamp<std::size_t>(ray_count / rays_per_chunk, 1, threads));
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < chunks_.size(); ++i) {
-        const std::size_t end = ray_count * (i + 1) / chunks_.size() / rays_per_register * rays_per_register;
-        chunks_[i].begin = begin;
-        chunks_[i].end = begin = i + 1 == chunks_.size() ? ray_count : end;
-    }
+std::size_t RaySort::chunk_begin(std::size_t chunk) const {
+    if (chunk == chunks_.size()) return keys_.size();
+    return keys_.size() * chunk / chunks_.size() / rays_per_register * rays_per_register;
 }
 
 void RaySort::make_keys(const RayBatch& rays) {
     const KeyMap map = key_map(rays);
-    tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t i) {
-        Chunk& chunk = chunks_[i];
-        chunk.run_count = frame_rays(rays, chunk.begin, chunk.end, map, sorted_.framed.data(), keys_.data());
-        chunk.next.fill(0);
-        for (std::size_t run = 0; run < chunk.run_count; ++run) {
-            ++chunk.next[bucket_of(keys_[chunk.begin + run])];
+    tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t chunk) {
+        frame_rays(rays, chunk_begin(chunk), chunk_begin(chunk + 1), map, sorted_.framed.data(),
+                   keys_.data());
+        Histogram& counts = chunks_[chunk];
+        counts.fill(0);
+        for (std::size_t i = chunk_begin(chunk); i < chunk_begin(chunk + 1); ++i) {
+            ++counts[bucket_of(keys_[i])];
         }
     });
 }
@@ -114,15 +99,13 @@ void RaySort::scatter() {
     std::uint32_t sum = 0;
     for (std::size_t bucket = 0; bucket < RayKey::bucket_count; ++bucket) {
         bucket_begin_[bucket] = sum;
-        for (Chunk& chunk : chunks_) sum += std::exchange(chunk.next[bucket], sum);
+        for (Histogram& next : chunks_) sum += std::exchange(next[bucket], sum);
     }
     bucket_begin_.back() = sum;
-    sorted_.order.resize(sum);
-    tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t i) {
-        Chunk& chunk = chunks_[i];
-        for (std::size_t run = 0; run < chunk.run_count; ++run) {
-            const std::uint64_t key = keys_[chunk.begin + run];
-            in_buckets_[chunk.next[bucket_of(key)]++] = key;
+    tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t chunk) {
+        Histogram& next = chunks_[chunk];
+        for (std::size_t i = chunk_begin(chunk); i < chunk_begin(chunk + 1); ++i) {
+            in_buckets_[next[bucket_of(keys_[i])]++] = keys_[i];
         }
     });
 }

@@ -18,35 +18,16 @@ struct alignas(16) FramedRay {
     float slope_u, slope_v, depth_min, depth_max;
 };
 
-/// A ray, or four that follow each other in the batch and point alike: sorted as one, and read as one cache
-/// line. Most rays come in fours, since a batch follows the picture.
-class RayRun {
-public:
-    static constexpr std::size_t longest = 4;
-
-    RayRun() = default;
-    RayRun(std::uint32_t first, bool four) : bits_(first | (four ? four_mark : 0)) {}
-    explicit RayRun(std::uint32_t bits) : bits_(bits) {}
-
-    [[nodiscard]] std::uint32_t first() const { return bits_ & ~four_mark; }
-    [[nodiscard]] std::uint32_t count() const { return (bits_ & four_mark) != 0 ? 4 : 1; }
-    [[nodiscard]] std::uint32_t bits() const { return bits_; }
-
-private:
-    static constexpr std::uint32_t four_mark = 1u << 31;  // batches are smaller by far
-    std::uint32_t bits_;
-};
-
 /// The rays of a batch with a common origin, by dominant axis and along Hilbert's curve through their slopes
 /// within it.
 struct SortedRays {
-    rebuild::Buffer<FramedRay> framed;  ///< one per ray, in the batch's order
-    rebuild::Buffer<RayRun> order;      ///< face after face, then the dead, which are in no run of four
-    /// Where each face's runs begin in `order`; the last entry is where the rays that hit nothing begin.
+    rebuild::Buffer<FramedRay> framed;     ///< one per ray, in the batch's order
+    rebuild::Buffer<std::uint32_t> order;  ///< positions in the batch: face after face, then the dead
+    /// Where each face's rays begin in `order`; the last entry is where the rays that hit nothing begin.
     std::array<std::size_t, face_count + 1> face_begin{};
 };
 
-/// Where a run belongs: its face, then its place along the curve. Runs are scattered by the upper bits of the
+/// Where a ray belongs: its face, then its place along the curve. Rays are scattered by the upper bits of the
 /// place, in parallel; what shares them is sorted in cache, bucket by bucket.
 struct RayKey {
     static constexpr unsigned slope_bits = 12;              ///< of each slope
@@ -64,22 +45,17 @@ public:
     const SortedRays& sort(const RayBatch& rays);
 
 private:
-    /// A part of the batch, of which one thread makes the keys.
-    struct Chunk {
-        std::size_t begin = 0, end = 0;  ///< rays; its keys begin there, too
-        std::size_t run_count = 0;
-        std::array<std::uint32_t, RayKey::bucket_count> next;  ///< runs of each bucket, then where one goes
-    };
+    using Histogram = std::array<std::uint32_t, RayKey::bucket_count>;
 
-    void cut_chunks(std::size_t ray_count);
     void make_keys(const RayBatch& rays);
     void scatter();
     void sort_buckets();
+    [[nodiscard]] std::size_t chunk_begin(std::size_t chunk) const;
 
     SortedRays sorted_;
-    std::vector<Chunk> chunks_;
+    std::vector<Histogram> chunks_;  ///< rays of each bucket, then where the next one goes
     std::array<std::uint32_t, RayKey::bucket_count + 1> bucket_begin_{};
-    rebuild::Buffer<std::uint64_t> keys_;        ///< key << 32 | run, in the batch's order
+    rebuild::Buffer<std::uint64_t> keys_;        ///< key << 32 | position, in the batch's order
     rebuild::Buffer<std::uint64_t> in_buckets_;  ///< the same, bucket after bucket
 };
 

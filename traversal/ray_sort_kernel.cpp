@@ -11,7 +11,6 @@
 #include "traversal/lanes-inl.h"
 
 #include <algorithm>
-#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
@@ -28,23 +27,12 @@ HWY_INLINE Lanes of_faces(const std::array<float, face_count + 1>& values,
                : hn::GatherIndex(d, values.data(), faces);
 }
 
-/// Greatest less least of each four lanes, in all four.
-HWY_INLINE Lanes extent_of_fours(Lanes lanes) {
-    const auto across = [](Lanes v, const auto& combine) {
-        const Lanes pairs = combine(v, hn::Shuffle2301(v));
-        return combine(pairs, hn::Shuffle1032(pairs));
-    };
-    return hn::Sub(across(lanes, [](Lanes a, Lanes b) { return hn::Max(a, b); }),
-                   across(lanes, [](Lanes a, Lanes b) { return hn::Min(a, b); }));
-}
-
-std::size_t frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
-                       FramedRay* framed, std::uint64_t* keys) {
+void frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
+                FramedRay* framed, std::uint64_t* keys) {
     const LaneTag d;
     const hn::RebindToSigned<LaneTag> di;
     const Lanes last = hn::Set(d, static_cast<float>((1u << RayKey::slope_bits) - 1));
     HWY_ALIGN std::int32_t face[group], x[group], y[group];
-    std::uint64_t* next = keys + begin;
     for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
         const auto read = [&](const rebuild::Buffer<float>& values) {
             return hn::Load(d, values.data() + i);
@@ -58,32 +46,20 @@ std::size_t frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end,
         const auto cell = [&](Lanes slope, const std::array<float, face_count + 1>& low) {
             const Lanes along = hn::Mul(hn::Sub(slope, of_faces(low, faces)), scale);
             // The order of operands lets a NaN of a ray that hits nothing become a number.
-            return hn::Min(hn::Max(along, hn::Zero(d)), last);
+            return hn::ConvertTo(di, hn::Min(hn::Max(along, hn::Zero(d)), last));
         };
-        const Lanes u = cell(ray.slope_u, map.low_u), v = cell(ray.slope_v, map.low_v);
-        hn::Store(hn::ConvertTo(di, u), di, x);
-        hn::Store(hn::ConvertTo(di, v), di, y);
+        hn::Store(cell(ray.slope_u, map.low_u), di, x);
+        hn::Store(cell(ray.slope_v, map.low_v), di, y);
         hn::Store(faces, di, face);
-
-        const std::size_t count = std::min(hn::Lanes(d), end - i);
-        const Lanes extent = hn::Max(extent_of_fours(u), extent_of_fours(v));
-        const auto alike = hn::And(hn::Le(extent, hn::Set(d, map.run_extent)),
-                                   hn::And(hn::Eq(extent_of_fours(ray.face), hn::Zero(d)),
-                                           hn::Lt(ray.face, hn::Set(d, static_cast<float>(face_count)))));
-        const unsigned in_fours = bits_of(d, alike);
-        for (std::size_t lane = 0; lane < count;) {
-            const bool four = (in_fours >> lane & 1) != 0 && lane + RayRun::longest <= count;
+        for (std::size_t lane = 0; lane < std::min(hn::Lanes(d), end - i); ++lane) {
             const auto bits = [lane](const std::int32_t* lanes) {
                 return static_cast<std::uint32_t>(lanes[lane]);
             };
             const std::uint32_t key =
                 bits(face) << RayKey::place_bits | hilbert_place<RayKey::slope_bits>(bits(x), bits(y));
-            const RayRun run(static_cast<std::uint32_t>(i + lane), four);
-            *next++ = std::uint64_t{key} << 32 | run.bits();
-            lane += run.count();
+            keys[i + lane] = std::uint64_t{key} << 32 | (i + lane);
         }
     }
-    return static_cast<std::size_t>(next - (keys + begin));
 }
 
 }  // namespace HWY_NAMESPACE
@@ -102,11 +78,7 @@ void SlopeBounds::extend(float u, float v) {
     high_v = std::max(high_v, v);
 }
 
-KeyMap::KeyMap(const FaceBounds& bounds, std::size_t ray_count) {
-    // Cells from ray to ray, were they spread evenly.
-    const float apart = static_cast<float>(1u << RayKey::slope_bits) /
-                        std::sqrt(static_cast<float>(std::max<std::size_t>(ray_count, 1)));
-    run_extent = 2.0f * apart;
+KeyMap::KeyMap(const FaceBounds& bounds) {
     for (std::size_t face = 0; face < face_count; ++face) {
         constexpr SlopeBounds whole{.low_u = -1.0f, .high_u = 1.0f, .low_v = -1.0f, .high_v = 1.0f};
         const SlopeBounds& box = bounds[face].empty() ? whole : bounds[face];
@@ -118,9 +90,9 @@ KeyMap::KeyMap(const FaceBounds& bounds, std::size_t ray_count) {
     }
 }
 
-std::size_t frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
-                       FramedRay* framed, std::uint64_t* keys) {
-    return HWY_DYNAMIC_DISPATCH(frame_rays)(rays, begin, end, map, framed, keys);
+void frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
+                FramedRay* framed, std::uint64_t* keys) {
+    HWY_DYNAMIC_DISPATCH(frame_rays)(rays, begin, end, map, framed, keys);
 }
 
 }  // namespace gridreel::traversal

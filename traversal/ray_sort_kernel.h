@@ -23,17 +23,15 @@ using FaceBounds = std::array<SlopeBounds, face_count>;
 /// From slopes to keys: `(slope - low[face]) * scale[face]` is a cell of the curve's square.
 struct KeyMap {
     std::array<float, face_count + 1> low_u{}, low_v{}, scale{};
-    float run_extent;  ///< cells that a run of four may measure across
 
-    KeyMap(const FaceBounds& bounds, std::size_t ray_count);
+    explicit KeyMap(const FaceBounds& bounds);
 };
 
-/// Frames rays [begin, end) of a batch, the same bits as `ray_frame`, and makes the keys of their runs.
+/// Frames rays [begin, end) of a batch, the same bits as `ray_frame`, and makes their keys.
 /// @param begin         a multiple of `rays_per_register`; so is `end`, unless it is the batch's
-/// @param framed, keys  of the whole batch; keys are written from `begin` on
-/// @return how many keys
-std::size_t frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
-                       FramedRay* framed, std::uint64_t* keys);
+/// @param framed, keys  of the whole batch
+void frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
+                FramedRay* framed, std::uint64_t* keys);
 
 [[nodiscard]] inline std::size_t bucket_of(std::uint64_t key) {
     return key >> (32 + RayKey::low_bits);

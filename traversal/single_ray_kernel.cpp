@@ -135,7 +135,7 @@ TraceReport trace(const GridScene& scene, const RayBatch& rays, const ResumedRay
     RayMailbox mailbox;
     Packet packet;
     Candidates candidates;
-    const PacketSource source{.rays = rays, .resumed = resumed};
+    const PacketSource source(rays, resumed, nullptr);
     for (std::size_t i = begin; i < end; ++i) {
         const RayFrame ray = resumed.frame(rays, i);
         const glm::vec3 origin = rays.origin_of(i);

@@ -20,22 +20,12 @@ using traversal::RayBatch;
 using traversal::RaySort;
 using traversal::SortedRays;
 
-std::vector<std::uint32_t> positions(const SortedRays& sorted, std::size_t begin, std::size_t end) {
-    std::vector<std::uint32_t> all;
-    for (std::size_t run = begin; run < end; ++run) {
-        for (std::uint32_t i = 0; i < sorted.order[run].count(); ++i) {
-            all.push_back(sorted.order[run].first() + i);
-        }
-    }
-    return all;
-}
-
 std::vector<std::uint32_t> order_of(const RayBatch& rays, int threads) {
     RaySort sort;
     tbb::task_arena arena(threads);
     return arena.execute([&] {
         const SortedRays& sorted = sort.sort(rays);
-        return positions(sorted, 0, sorted.order.size());
+        return std::vector<std::uint32_t>(sorted.order.begin(), sorted.order.end());
     });
 }
 
@@ -67,15 +57,16 @@ TEST_CASE("sorting keeps every ray, face by face, and frames it", "[traversal]")
         const RayBatch rays = all_sides(count);
         RaySort sort;
         const SortedRays& sorted = sort.sort(rays);
-        std::vector<std::uint32_t> seen = positions(sorted, 0, sorted.order.size());
+        std::vector<std::uint32_t> seen(sorted.order.begin(), sorted.order.end());
         std::sort(seen.begin(), seen.end());
         REQUIRE(seen.size() == count);
         std::size_t strange = 0;
         for (std::size_t i = 0; i < count; ++i) strange += seen[i] != i;
         for (unsigned face = 0; face <= traversal::face_count; ++face) {
             const std::size_t end =
-                face == traversal::face_count ? sorted.order.size() : sorted.face_begin[face + 1];
-            for (const std::uint32_t ray : positions(sorted, sorted.face_begin[face], end)) {
+                face == traversal::face_count ? count : std::size_t(sorted.face_begin[face + 1]);
+            for (std::size_t place = sorted.face_begin[face]; place < end; ++place) {
+                const std::uint32_t ray = sorted.order[place];
                 const auto frame = ray_frame(rays, ray);
                 const traversal::FramedRay& framed = sorted.framed[ray];
                 if (frame.hits_nothing()) {
