@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -20,7 +21,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t references_per_triangle_limit = 64;
-constexpr std::uint64_t nested_references_per_triangle_limit = 4;
+/// Beyond so many a nested grid is not worth its memory: its triangles lie across each other, and finer cells
+/// would not part them. Those that do not are in as many cells as they have area in cells.
+double nested_references_per_triangle_limit(float lambda) {
+    return 4.0 * std::pow(std::max(1.0, double(lambda)), 2.0 / 3.0);
+}
 
 /// Of the whole scene: the rounding of corners as seen from some diagonals away, so that rays from there find
 /// them in their cells, however small the cells of nested grids are.
@@ -175,12 +180,14 @@ void GridBuilder::measure_nested(const TriangleView& triangles, std::size_t dept
     GridLevel& level = grid_.levels[depth];
     level.grids.resize(crowded_.size());
     jobs_.resize(crowded_.size());
+    const double limit = nested_references_per_triangle_limit(policy_.lambda);
     tbb::parallel_for(std::size_t{0}, crowded_.size(), [&](std::size_t i) {
         const CrowdedCell& place = crowded_[i];
         const std::uint32_t begin = above.cell_begin[place.cell];
         const TriangleList list{.indices = above.references.data() + begin,
                                 .count = above.cell_begin[place.cell + 1] - begin};
-        jobs_[i] = {.triangles = list, .reference_limit = nested_references_per_triangle_limit * list.count};
+        jobs_[i] = {.triangles = list,
+                    .reference_limit = static_cast<std::uint64_t>(limit * double(list.count))};
 
         const UniformGrid& parent = above.grids[place.grid];
         const Bounds3 cell = box_of_cell(parent, place.cell - parent.first_cell);

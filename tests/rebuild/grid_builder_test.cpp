@@ -140,6 +140,37 @@ TEST_CASE("crowded cells become grids that list what the cell did", "[rebuild]")
     CHECK(flat.grid().levels[1].grids.empty());
 }
 
+TEST_CASE("crowded cells become grids for any lambda", "[rebuild]") {
+    // Smaller cells are worth more references: a small waving sheet in a large box.
+    Soup triangles = crowd_in_a_corner(0);
+    constexpr int side = 80;
+    for (int i = 0; i < 2 * side * side; ++i) {
+        const auto corner = [&](int x, int y) {
+            const float u = float(i / 2 % side + x) / float(side), v = float(i / 2 / side + y) / float(side);
+            return glm::vec3(u, v, 0.1f * std::sin(9.0f * u) * std::cos(7.0f * v));
+        };
+        const auto first = static_cast<std::uint32_t>(triangles.positions.size());
+        const int upper = i % 2;
+        triangles.positions.insert(triangles.positions.end(),
+                                   {corner(upper, upper), corner(1, 0), corner(0, 1)});
+        triangles.triangles.emplace_back(first, first + 1, first + 2);
+    }
+    for (const float lambda : {0.25f, 1.0f, 8.0f, 27.0f}) {
+        INFO("lambda " << lambda);
+        GridBuilder builder({.lambda = lambda});
+        CHECK(builder.rebuild(triangles.view()).nested_grids > 0);
+        std::uint32_t most = 0;
+        for (const auto& level : builder.grid().levels) {
+            for (std::size_t cell = 0; cell + 1 < level.cell_begin.size(); ++cell) {
+                const std::uint32_t begin = level.cell_begin[cell], end = level.cell_begin[cell + 1];
+                const bool nested = begin < end && (level.references[begin] & nested_mark) != 0;
+                if (!nested) most = std::max(most, end - begin);
+            }
+        }
+        CHECK(most < 500);
+    }
+}
+
 TEST_CASE("triangles that all lie across each other are not nested", "[rebuild]") {
     Soup triangles = crowd_in_a_corner(10);
     const Soup heap = soup(600, 1.0f, 5);
