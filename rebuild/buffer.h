@@ -11,20 +11,22 @@ namespace gridreel::rebuild {
 
 /// An array of plain values for scratch and results that are rebuilt every frame.
 /// `resize` allocates only beyond the largest size so far and leaves the contents unspecified.
-/// Behind the last value, if there is one, is room for 16 more, so that kernels may read and write whole SIMD
-/// registers.
+/// Unless it never held a value, `padding` more have room behind the last, so that kernels may read and write
+/// whole SIMD registers.
 template <class T>
 class Buffer {
     static_assert(std::is_trivially_copyable_v<T>);
 
 public:
+    static constexpr std::size_t padding = 16;  ///< values that may be read and written behind the last
+
     void resize(std::size_t size) {
         if (size > capacity_) {
             // Let go before asking for more; and if there is no more, be empty rather than wrong.
             data_.reset();
             size_ = capacity_ = 0;
             const std::size_t room = size + size / 4;
-            data_.reset(static_cast<T*>(::operator new[]((room + lanes) * sizeof(T), alignment)));
+            data_.reset(static_cast<T*>(::operator new[]((room + padding) * sizeof(T), alignment)));
             capacity_ = room;
         }
         size_ = size;
@@ -46,7 +48,6 @@ public:
 
 private:
     static constexpr std::align_val_t alignment{64};
-    static constexpr std::size_t lanes = 16;  // at most
     struct Free {
         void operator()(T* p) const { ::operator delete[](p, alignment); }
     };

@@ -21,8 +21,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t references_per_triangle_limit = 64;
-/// Beyond so many a nested grid is not worth its memory: its triangles lie across each other, and finer cells
-/// would not part them. Those that do not are in as many cells as they have area in cells.
+
+/// A nested grid that needs more is not worth its memory: its triangles lie across each other, and finer
+/// cells would not part them. A mere surface needs references in proportion to its area in cells:
+/// lambda^(2/3).
 double nested_references_per_triangle_limit(float lambda) {
     return 4.0 * std::pow(std::max(1.0, double(lambda)), 2.0 / 3.0);
 }

@@ -133,7 +133,7 @@ std::size_t ray_bytes(std::size_t pixels, const engine::RenderSettings& settings
     constexpr std::size_t shaded = sizeof(engine::Surface) + sizeof(glm::vec3);
     constexpr std::size_t lit = 1 + sizeof(std::uint32_t);
     constexpr std::size_t sorted =
-        sizeof(traversal::FramedRay) + 2 * sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t);
+        sizeof(traversal::FramedRay) + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);  // SortedRays, keys
     constexpr std::size_t blocked = 1;
     const std::size_t rays =
         std::min(pixels * static_cast<std::size_t>(settings.samples), settings.rays_per_band);

@@ -35,18 +35,16 @@ public:
         CornerTable<width> corners;
         corners.gather(view, triangles, count);
         const auto sign = hn::Set(d, ray_.axes.sign());
-        const Aim<hn::Vec<decltype(d)>> aim{.slopes = {hn::Set(d, ray_.slope_u), hn::Set(d, ray_.slope_v)},
-                                            .half = hn::Zero(d)};
+        const Slopes<hn::Vec<decltype(d)>> slopes{hn::Set(d, ray_.slope_u), hn::Set(d, ray_.slope_v)};
         for (std::size_t first = 0; first < count; first += hn::Lanes(d)) {
             const auto decide = [&](std::size_t lane) {
                 const auto point = [&](int which) { return corners.point(which, first + lane, seen_); };
                 return meet_in_double(point(0), point(1), point(2), ray_.axes.sign(), ray_.slope_u,
                                       ray_.slope_v);
             };
-            const auto edges =
-                edge_functions(d, corners.lanes(d, 0, first, seen_), corners.lanes(d, 1, first, seen_),
-                               corners.lanes(d, 2, first, seen_), sign, aim);
-            const auto met = meet(d, edges, least_edge(edges), aim.slopes, hn::Set(d, best), decide);
+            const auto met =
+                meet_one_ray(d, corners.lanes(d, 0, first, seen_), corners.lanes(d, 1, first, seen_),
+                             corners.lanes(d, 2, first, seen_), sign, slopes, hn::Set(d, best), decide);
             hn::StoreU(hn::IfThenElse(met.inside, met.depth, hn::NaN(d)), d, depths + first);
         }
     }

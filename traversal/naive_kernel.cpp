@@ -20,7 +20,7 @@ DepthHit closest_of_all(const CornerRuns& corners, const glm::vec3& origin, cons
     const int axes[3] = {ray.axes.k, ray.axes.u(), ray.axes.v()};
 
     const V sign = hn::Set(d, ray.axes.sign());
-    const Aim<V> aim{.slopes = {hn::Set(d, ray.slope_u), hn::Set(d, ray.slope_v)}, .half = hn::Zero(d)};
+    const Slopes<V> slopes{hn::Set(d, ray.slope_u), hn::Set(d, ray.slope_v)};
     const V depth_min = hn::Set(d, ray.depth_min);
     const auto after = hn::Set(du, ray.after);
     V best = hn::Set(d, ray.depth_max);
@@ -41,11 +41,12 @@ DepthHit closest_of_all(const CornerRuns& corners, const glm::vec3& origin, cons
                            .v = run(which, 2)[triangle] - origin[axes[2]]};
     };
     for (std::size_t first = 0; first < corners.count; first += lanes) {
-        const auto edges = edge_functions(d, corner(0, first), corner(1, first), corner(2, first), sign, aim);
-        const auto met = meet(d, edges, least_edge(edges), aim.slopes, best, [&](std::size_t lane) {
+        const auto decide = [&](std::size_t lane) {
             return meet_in_double(framed_corner(0, first + lane), framed_corner(1, first + lane),
                                   framed_corner(2, first + lane), ray.axes.sign(), ray.slope_u, ray.slope_v);
-        });
+        };
+        const auto met =
+            meet_one_ray(d, corner(0, first), corner(1, first), corner(2, first), sign, slopes, best, decide);
         const auto index = hn::Add(hn::Iota(du, 0), hn::Set(du, static_cast<std::uint32_t>(first)));
         const auto begun =
             hn::Or(hn::Gt(met.depth, depth_min),

@@ -31,8 +31,8 @@ struct Frustum {
     float centre_u = 0.0f, half_u = 0.0f, centre_v = 0.0f, half_v = 0.0f;
     float near_depth = 0.0f, far_depth = -1.0f;
 
-    /// The slopes that triangles are seen along (`Aim`).
-    [[nodiscard]] HWY_INLINE Slopes<Lanes> aim(LaneTag d) const {
+    /// What triangles are seen along.
+    [[nodiscard]] HWY_INLINE Slopes<Lanes> centre(LaneTag d) const {
         return {hn::Set(d, centre_u), hn::Set(d, centre_v)};
     }
 };
@@ -74,8 +74,7 @@ HWY_INLINE hn::Mask<LaneTag> may_be_inside(LaneTag d, const EdgeFunctions<Lanes>
     const Lanes least = hn::Neg(hn::Add(edges.error, edges.error));
     auto inside = hn::Ge(edges.depth_max, hn::Zero(d));
     for (const Vec3<Lanes>& n : edges.normal) {
-        Lanes greatest = hn::MulAdd(centre.u, n.u, n.k);
-        greatest = hn::MulAdd(centre.v, n.v, greatest);
+        Lanes greatest = along(n, centre);
         greatest = hn::MulAdd(half.u, hn::Abs(n.u), greatest);
         greatest = hn::MulAdd(half.v, hn::Abs(n.v), greatest);
         inside = hn::And(inside, hn::Ge(greatest, least));
@@ -89,7 +88,7 @@ HWY_INLINE unsigned cull_by_frustum(const CornerTable<group>& corners, const Pac
     const LaneTag d;
     const Viewpoint seen(packet.origin, packet.axes);
     const Slopes<Lanes> half{hn::Set(d, frustum.half_u), hn::Set(d, frustum.half_v)};
-    const Aim<Lanes> aim{.slopes = frustum.aim(d), .half = hn::Max(half.u, half.v)};
+    const Aim<Lanes> aim{.slopes = frustum.centre(d), .half = hn::Max(half.u, half.v)};
     unsigned survivors = 0;
     for (std::size_t first = 0; first < group; first += hn::Lanes(d)) {
         const auto edges =
@@ -133,17 +132,15 @@ HWY_INLINE EdgeFunctions<Lanes> broadcast(const EdgeTable& table, int triangle) 
 }
 
 /// One triangle against all blocks, a lane a block. @return a bit for each block that must look closer
-HWY_INLINE unsigned blocks_that_may_hit(const Packet& packet, const Frustum& frustum,
+HWY_INLINE unsigned blocks_that_may_hit(const Packet& packet, const Slopes<Lanes>& aim,
                                         const EdgeFunctions<Lanes>& edges) {
     const LaneTag d;
-    const Slopes<Lanes> aim = frustum.aim(d);
     unsigned blocks = 0;
     for (std::size_t first = 0; first < blocks_per_packet; first += hn::Lanes(d)) {
-        const auto inside =
-            may_be_inside(d, edges,
-                          {hn::Sub(hn::Load(d, packet.centre_u + first), aim.u),
-                           hn::Sub(hn::Load(d, packet.centre_v + first), aim.v)},
-                          {hn::Load(d, packet.half_u + first), hn::Load(d, packet.half_v + first)});
+        const Slopes<Lanes> centre{hn::Load(d, packet.centre_u + first),
+                                   hn::Load(d, packet.centre_v + first)};
+        const Slopes<Lanes> half{hn::Load(d, packet.half_u + first), hn::Load(d, packet.half_v + first)};
+        const auto inside = may_be_inside(d, edges, difference(centre, aim), half);
         const auto in_reach = hn::And(hn::Le(edges.depth_min, hn::Load(d, packet.far_depth + first)),
                                       hn::Ge(edges.depth_max, hn::Load(d, packet.near_depth + first)));
         blocks |= bits_of(d, hn::And(inside, in_reach)) << first;
@@ -155,11 +152,10 @@ HWY_INLINE unsigned blocks_that_may_hit(const Packet& packet, const Frustum& fru
 /// tests.
 /// @param corners  for what the edge functions leave in doubt: the triangle's are at `place`
 template <Wanted wanted>
-HWY_INLINE void intersect_block(Packet& packet, const Frustum& frustum, const EdgeFunctions<Lanes>& edges,
+HWY_INLINE void intersect_block(Packet& packet, const Slopes<Lanes>& aim, const EdgeFunctions<Lanes>& edges,
                                 const CornerTable<group>& corners, std::size_t place, std::uint32_t triangle,
                                 int block) {
     const LaneTag d;
-    const Slopes<Lanes> aim = frustum.aim(d);
     const hn::RebindToUnsigned<LaneTag> du;
     const auto index = hn::Set(du, triangle);
     bool changed = false;
@@ -175,7 +171,7 @@ HWY_INLINE void intersect_block(Packet& packet, const Frustum& frustum, const Ed
                                   slope_v[lane]);
         };
         const Slopes<Lanes> slopes{hn::Load(d, slope_u), hn::Load(d, slope_v)};
-        const Lanes least = least_edge(edges, {hn::Sub(slopes.u, aim.u), hn::Sub(slopes.v, aim.v)});
+        const Lanes least = least_edge(edges, difference(slopes, aim));
         const auto met = meet(d, edges, least, slopes, best, decide);
         const auto held = hn::Load(du, packet.triangle + first);
         const auto wins_tie = hn::And(hn::Eq(met.depth, best), hn::RebindMask(d, hn::Lt(index, held)));
@@ -203,6 +199,7 @@ HWY_INLINE void intersect_block(Packet& packet, const Frustum& frustum, const Ed
 template <Wanted wanted>
 void intersect(const GridScene& scene, Packet& packet, unsigned& active, const Frustum& frustum,
                Candidates& candidates, TraceReport& report) {
+    const Slopes<Lanes> aim = frustum.centre(LaneTag());
     // While one group is worked on, the corners of the next are on their way.
     CornerTable<group> tables[2];
     EdgeTable edge_table;
@@ -221,12 +218,12 @@ void intersect(const GridScene& scene, Packet& packet, unsigned& active, const F
         for (; survivors != 0; survivors &= survivors - 1) {
             const int i = std::countr_zero(survivors);
             const auto edges = broadcast(edge_table, i);
-            unsigned blocks = blocks_that_may_hit(packet, frustum, edges) & active;
+            unsigned blocks = blocks_that_may_hit(packet, aim, edges) & active;
             report.triangle_tests += static_cast<std::uint64_t>(std::popcount(blocks)) * rays_per_block;
             for (; blocks != 0; blocks &= blocks - 1) {
                 const int block = std::countr_zero(blocks);
-                intersect_block<wanted>(packet, frustum, edges, corners, std::size_t(i),
-                                        triangles_of(begin)[i], block);
+                intersect_block<wanted>(packet, aim, edges, corners, std::size_t(i), triangles_of(begin)[i],
+                                        block);
                 if (packet.far_depth[block] < 0.0f) active &= ~(1u << block);
             }
         }

@@ -27,14 +27,19 @@ struct SortedRays {
     std::array<std::size_t, face_count + 1> face_begin{};
 };
 
-/// Where a ray belongs: its face, then its place along the curve. Rays are scattered by the upper bits of the
-/// place, in parallel; what shares them is sorted in cache, bucket by bucket.
+/// How keys are laid out: face, place along the curve, position in the batch. Rays are scattered by the face
+/// and the upper bits of the place, in parallel; what shares those is sorted in cache, bucket by bucket.
 struct RayKey {
-    static constexpr unsigned slope_bits = 12;              ///< of each slope
-    static constexpr unsigned place_bits = 2 * slope_bits;  ///< along the curve
-    static constexpr unsigned bucket_bits = 10;             ///< of the place
-    static constexpr unsigned low_bits = place_bits - bucket_bits;
-    static constexpr std::size_t bucket_count = (face_count + 1) << bucket_bits;  ///< the last for the dead
+    static constexpr unsigned slope_bits = 12;                       ///< of each slope
+    static constexpr unsigned place_bits = 2 * slope_bits;           ///< along the curve
+    static constexpr unsigned bucket_bits = 10;                      ///< upper bits of the place
+    static constexpr unsigned rest_bits = place_bits - bucket_bits;  ///< sorted within a bucket
+    static constexpr unsigned position_bits = 32;                    ///< in the batch
+    static constexpr std::size_t bucket_count = (face_count + 1)
+                                                << bucket_bits;  ///< the dead are a face, too
+    static constexpr float last_cell = float((1u << slope_bits) - 1);
+
+    [[nodiscard]] static std::size_t bucket(std::uint64_t key) { return key >> (position_bits + rest_bits); }
 };
 
 /// Sorts batch after batch in the same memory. Parallel; the same order for any number of threads (ties keep
@@ -47,15 +52,15 @@ public:
 private:
     using Histogram = std::array<std::uint32_t, RayKey::bucket_count>;
 
-    void make_keys(const RayBatch& rays);
+    void key_and_count(const RayBatch& rays);
     void scatter();
     void sort_buckets();
     [[nodiscard]] std::size_t chunk_begin(std::size_t chunk) const;
 
     SortedRays sorted_;
-    std::vector<Histogram> chunks_;  ///< rays of each bucket, then where the next one goes
+    std::vector<Histogram> histograms_;  ///< of each chunk: rays in each bucket, then where its next one goes
     std::array<std::uint32_t, RayKey::bucket_count + 1> bucket_begin_{};
-    rebuild::Buffer<std::uint64_t> keys_;        ///< key << 32 | position, in the batch's order
+    rebuild::Buffer<std::uint64_t> keys_;        ///< in the batch's order
     rebuild::Buffer<std::uint64_t> in_buckets_;  ///< the same, bucket after bucket
 };
 

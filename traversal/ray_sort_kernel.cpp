@@ -16,6 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
 namespace HWY_NAMESPACE {
 
+static_assert(rays_per_step % group == 0 && group <= rebuild::Buffer<float>::padding);
+
 /// One value per ray's face, which most often is the same for all: gathering is slow.
 HWY_INLINE Lanes of_faces(const std::array<float, face_count + 1>& values,
                           hn::Vec<hn::RebindToSigned<LaneTag>> faces) {
@@ -27,11 +29,11 @@ HWY_INLINE Lanes of_faces(const std::array<float, face_count + 1>& values,
                : hn::GatherIndex(d, values.data(), faces);
 }
 
-void frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
-                FramedRay* framed, std::uint64_t* keys) {
+void frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
+                   FramedRay* framed, std::uint64_t* keys) {
     const LaneTag d;
     const hn::RebindToSigned<LaneTag> di;
-    const Lanes last = hn::Set(d, static_cast<float>((1u << RayKey::slope_bits) - 1));
+    const Lanes last = hn::Set(d, RayKey::last_cell);
     HWY_ALIGN std::int32_t face[group], x[group], y[group];
     for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
         const auto read = [&](const rebuild::Buffer<float>& values) {
@@ -56,8 +58,8 @@ void frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, const 
                 return static_cast<std::uint32_t>(lanes[lane]);
             };
             const std::uint32_t key =
-                bits(face) << RayKey::place_bits | hilbert_place<RayKey::slope_bits>(bits(x), bits(y));
-            keys[i + lane] = std::uint64_t{key} << 32 | (i + lane);
+                bits(face) << RayKey::place_bits | hilbert_index<RayKey::slope_bits>(bits(x), bits(y));
+            keys[i + lane] = std::uint64_t{key} << RayKey::position_bits | (i + lane);
         }
     }
 }
@@ -69,30 +71,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace gridreel::traversal {
 
-HWY_EXPORT(frame_rays);
+HWY_EXPORT(frame_and_key);
 
-void SlopeBounds::extend(float u, float v) {
-    low_u = std::min(low_u, u);
-    high_u = std::max(high_u, u);
-    low_v = std::min(low_v, v);
-    high_v = std::max(high_v, v);
-}
-
-KeyMap::KeyMap(const FaceBounds& bounds) {
-    for (std::size_t face = 0; face < face_count; ++face) {
-        constexpr SlopeBounds whole{.low_u = -1.0f, .high_u = 1.0f, .low_v = -1.0f, .high_v = 1.0f};
-        const SlopeBounds& box = bounds[face].empty() ? whole : bounds[face];
-        // One scale for both axes, so that the curve's squares are squares of slopes.
-        const float extent = std::max({box.high_u - box.low_u, box.high_v - box.low_v, 1e-30f});
-        low_u[face] = box.low_u;
-        low_v[face] = box.low_v;
-        scale[face] = static_cast<float>((1u << RayKey::slope_bits) - 1) / extent;
-    }
-}
-
-void frame_rays(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
-                FramedRay* framed, std::uint64_t* keys) {
-    HWY_DYNAMIC_DISPATCH(frame_rays)(rays, begin, end, map, framed, keys);
+void frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
+                   FramedRay* framed, std::uint64_t* keys) {
+    HWY_DYNAMIC_DISPATCH(frame_and_key)(rays, begin, end, map, framed, keys);
 }
 
 }  // namespace gridreel::traversal

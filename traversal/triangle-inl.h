@@ -65,6 +65,17 @@ struct Slopes {
     V u, v;
 };
 
+template <class V>
+HWY_INLINE Slopes<V> difference(const Slopes<V>& a, const Slopes<V>& b) {
+    return {hn::Sub(a.u, b.u), hn::Sub(a.v, b.v)};
+}
+
+/// The normal times the direction (1, u, v).
+template <class V>
+HWY_INLINE V along(const Vec3<V>& normal, const Slopes<V>& slopes) {
+    return hn::MulAdd(slopes.v, normal.v, hn::MulAdd(slopes.u, normal.u, normal.k));
+}
+
 /// The ray that triangles are seen along, and how far the slopes of others may differ from its.
 template <class V>
 struct Aim {
@@ -99,17 +110,19 @@ HWY_INLINE EdgeFunctions<V> edge_functions(D d, Vec3<V> a, Vec3<V> b, Vec3<V> c,
     const auto sheared = [&](const Vec3<V>& p) {
         return Vec3<V>{p.k, hn::NegMulAdd(aim.slopes.u, p.k, p.u), hn::NegMulAdd(aim.slopes.v, p.k, p.v)};
     };
-    const Vec3<V> near_a = sheared(a), near_b = sheared(b), near_c = sheared(c);
+    const Vec3<V> sheared_a = sheared(a), sheared_b = sheared(b), sheared_c = sheared(c);
     const auto edge_normal = [&](const Vec3<V>& from, const Vec3<V>& to, const Vec3<V>& edge) {
         return flipped(cross(sum(from, to), sheared(edge)));
     };
 
     EdgeFunctions<V> edges;
-    edges.normal[0] = edge_normal(near_b, near_c, difference(c, b));
-    edges.normal[1] = edge_normal(near_c, near_a, difference(a, c));
-    edges.normal[2] = edge_normal(near_a, near_b, ab);
+    edges.normal[0] = edge_normal(sheared_b, sheared_c, difference(c, b));
+    edges.normal[1] = edge_normal(sheared_c, sheared_a, difference(a, c));
+    edges.normal[2] = edge_normal(sheared_a, sheared_b, ab);
     edges.plane = flipped(n);
     edges.volume = hn::Abs(signed_volume);
+    edges.depth_min = hn::Min(a.k, hn::Min(b.k, c.k));
+    edges.depth_max = hn::Max(a.k, hn::Max(b.k, c.k));
 
     // With |p| for the sum of a vector's magnitudes, the roundings on the way to an edge function add up to
     // less than 32 times 2^-24 |edge| (|corner across| + half |corner|); a shear in two roundings instead of
@@ -119,29 +132,28 @@ HWY_INLINE EdgeFunctions<V> edge_functions(D d, Vec3<V> a, Vec3<V> b, Vec3<V> c,
     const V edge = hn::Add(size_ab, size_ac);
     const V reach = hn::Add(size(a), edge);
     const auto across = [](const Vec3<V>& p) { return hn::Add(hn::Abs(p.u), hn::Abs(p.v)); };
-    const V aside = hn::Max(across(near_a), hn::Max(across(near_b), across(near_c)));
+    const V aside = hn::Max(across(sheared_a), hn::Max(across(sheared_b), across(sheared_c)));
     const V half = HWY_NATIVE_FMA ? aim.half : hn::Add(aim.half, hn::Set(d, 1.0f));
     const V spread = hn::MulAdd(half, reach, aside);
-    // Volume and divisor round by 2^-21 of reach * |AB| * |AC|. Where they are small against that, the
-    // triangle is seen at a low angle or is a sliver, and no float depth is good enough.
+    // Volume and divisor round by `rounding_margin` of reach * |AB| * |AC|. Where they are small against
+    // that, the triangle is seen at a low angle or is a sliver, and no float depth is good enough.
     const V scale = hn::Mul(hn::Mul(reach, size_ab), size_ac);
-    // Of what is so small that products leave the range of floats nothing is known.
-    const V edge_and_reach = hn::Mul(reach, edge);
-    const auto in_range = hn::Ge(hn::Mul(edge_and_reach, edge), hn::Set(d, 0x1p-80f));
-    const auto precise = hn::And(in_range, hn::Ge(edges.volume, hn::Mul(hn::Set(d, 0x1p-7f), scale)));
-
-    edges.depth_min = hn::Min(a.k, hn::Min(b.k, c.k));
-    edges.depth_max = hn::Max(a.k, hn::Max(b.k, c.k));
+    constexpr float least_precise = 2.0f * rounding_margin / float(depth_error);
+    // Products of even smaller lengths underflow: nothing is known of their signs.
+    const V edge_times_reach = hn::Mul(reach, edge);
+    const auto no_underflow = hn::Ge(hn::Mul(edge_times_reach, edge), hn::Set(d, 0x1p-80f));
+    const auto precise =
+        hn::And(no_underflow, hn::Ge(edges.volume, hn::Mul(hn::Set(d, least_precise), scale)));
 
     // Not even the volume's sign may be right, which all edge functions share. They add up to twice the
     // volume over the depth of what they hit.
     V doubt = spread;
-    const auto signed_right =
-        hn::And(in_range, hn::Ge(edges.volume, hn::Mul(hn::Set(d, rounding_margin), scale)));
-    if (HWY_UNLIKELY(!hn::AllTrue(d, signed_right))) {
-        const V more = hn::Div(edge_and_reach, hn::Max(edges.depth_min, hn::Zero(d)));
-        doubt =
-            hn::IfThenElse(signed_right, doubt, hn::IfThenElse(in_range, hn::Add(doubt, more), hn::Inf(d)));
+    const auto sign_is_sure =
+        hn::And(no_underflow, hn::Ge(edges.volume, hn::Mul(hn::Set(d, rounding_margin), scale)));
+    if (HWY_UNLIKELY(!hn::AllTrue(d, sign_is_sure))) {
+        const V sign_doubt = hn::Div(edge_times_reach, hn::Max(edges.depth_min, hn::Zero(d)));
+        doubt = hn::IfThenElse(sign_is_sure, doubt,
+                               hn::IfThenElse(no_underflow, hn::Add(doubt, sign_doubt), hn::Inf(d)));
     }
     edges.error = hn::Mul(hn::Mul(hn::Set(d, 4.0f * rounding_margin), doubt), edge);
     edges.sure = hn::IfThenElse(precise, edges.error, hn::Inf(d));
@@ -151,17 +163,8 @@ HWY_INLINE EdgeFunctions<V> edge_functions(D d, Vec3<V> a, Vec3<V> b, Vec3<V> c,
 /// The least of the three edge functions, for slopes less the aim's.
 template <class V>
 HWY_INLINE V least_edge(const EdgeFunctions<V>& edges, const Slopes<V>& offset) {
-    const auto along_ray = [&](const Vec3<V>& n) {
-        return hn::MulAdd(offset.v, n.v, hn::MulAdd(offset.u, n.u, n.k));
-    };
-    return hn::Min(along_ray(edges.normal[0]),
-                   hn::Min(along_ray(edges.normal[1]), along_ray(edges.normal[2])));
-}
-
-/// The same on the aim itself.
-template <class V>
-HWY_INLINE V least_edge(const EdgeFunctions<V>& edges) {
-    return hn::Min(edges.normal[0].k, hn::Min(edges.normal[1].k, edges.normal[2].k));
+    return hn::Min(along(edges.normal[0], offset),
+                   hn::Min(along(edges.normal[1], offset), along(edges.normal[2], offset)));
 }
 
 /// Where rays of the given slopes meet the triangle.
@@ -171,7 +174,7 @@ struct Meeting {
     V depth;             ///< along K; meaningless where not inside
 };
 
-/// The same bits for any aim.
+/// The answer has the same bits whatever the aim, so all tracers agree.
 /// @param least   `least_edge` of each ray
 /// @param best    hits behind it do not count: whether they are hits may be left undecided
 /// @param decide  `std::optional<float> decide(lane)`: the exact answer for one lane, asked only where an
@@ -187,9 +190,8 @@ HWY_INLINE Meeting<D> meet(D d, const EdgeFunctions<V>& edges, V least, const Sl
     if (hn::AllFalse(d, touched)) return {touched, best};
 
     auto inside = hn::And(touched, hn::Gt(least, edges.sure));
-    // The edge functions add up to the same divisor, but each errs by its distance over its length more.
-    const V divisor = hn::MulAdd(slopes.v, edges.plane.v, hn::MulAdd(slopes.u, edges.plane.u, edges.plane.k));
-    V depth = hn::Div(edges.volume, divisor);
+    // The edge functions add up to twice this divisor, but each errs by its distance over its length more.
+    V depth = hn::Div(edges.volume, along(edges.plane, slopes));
 
     // Where the depth is precise and behind `best`, the doubt does not matter.
     const auto precise = hn::Lt(edges.sure, hn::Inf(d));
@@ -209,11 +211,21 @@ HWY_INLINE Meeting<D> meet(D d, const EdgeFunctions<V>& edges, V least, const Sl
             is_inside[lane] = exact ? 1.0f : 0.0f;
             if (exact) depths[lane] = *exact;
         }
-        // What the aim leaves in doubt must not show in the depth.
+        // The aim decides which lanes were in doubt: a precise depth stays as it was.
         depth = hn::IfThenElse(precise, depth, hn::Load(d, depths));
         inside = hn::Gt(hn::Load(d, is_inside), hn::Zero(d));
     }
     return {inside, hn::Max(edges.depth_min, hn::Min(edges.depth_max, depth))};
+}
+
+/// Triangles, one a lane, against one ray, which is its own aim.
+/// @param sign, best, decide  as above
+template <class D, class Decide, class V = hn::Vec<D>>
+HWY_INLINE Meeting<D> meet_one_ray(D d, const Vec3<V>& a, const Vec3<V>& b, const Vec3<V>& c, V sign,
+                                   const Slopes<V>& slopes, V best, const Decide& decide) {
+    const auto edges = edge_functions(d, a, b, c, sign, Aim<V>{.slopes = slopes, .half = hn::Zero(d)});
+    const V least = hn::Min(edges.normal[0].k, hn::Min(edges.normal[1].k, edges.normal[2].k));
+    return meet(d, edges, least, slopes, best, decide);
 }
 
 }  // namespace HWY_NAMESPACE

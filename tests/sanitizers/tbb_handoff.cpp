@@ -1,10 +1,10 @@
-// What the thread sanitizer must be told about TBB.
+// What the thread sanitizer must be told about TBB, and of memory that belongs to libraries.
 //
 // The sanitizer sees only code compiled for it, and Debian's TBB is not: a task that one thread spawns and
 // another runs looks like a race over everything the task touches. The functions here stand in front of TBB's
 // own and state the order that TBB guarantees: spawning happens before running, running before the end of
 // waiting. So no report about our loops has to be suppressed, and real races between their bodies are still
-// found. Linked into the tests of the tsan preset only. Written for TBB 2021.8 (binary interface 12).
+// found. Linked into the programs of the tsan preset only. Written for TBB 2021.8 (binary interface 12).
 
 #include <dlfcn.h>
 

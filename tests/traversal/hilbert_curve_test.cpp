@@ -21,7 +21,7 @@ TEST_CASE("Hilbert's curve visits every cell, each beside the one before", "[tra
     std::vector<std::uint32_t> cells(length, nowhere);
     for (std::uint32_t y = 0; y < side; ++y) {
         for (std::uint32_t x = 0; x < side; ++x) {
-            const std::uint32_t place = traversal::hilbert_place<levels>(x, y);
+            const std::uint32_t place = traversal::hilbert_index<levels>(x, y);
             if (place >= length || cells[place] != nowhere) FAIL(x << ", " << y << " at " << place);
             cells[place] = y * side + x;
         }

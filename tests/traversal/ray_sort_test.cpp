@@ -103,8 +103,9 @@ TEST_CASE("sorted rays that follow each other point alike", "[traversal]") {
             rays.t_min[i] = 0.0f;
             rays.t_max[i] = 1.0f;
         }
-        // So many points, evenly spread, are 1/300 apart; the spot is smaller than the cells of its bucket.
-        const double apart = spot == 1.0f ? 1.0 / 300.0 : 0.1 / 95.0 + 0.9 * spot;
+        // Evenly spread points are so far apart; the spot is smaller than the cells of its bucket.
+        const double apart =
+            spot == 1.0f ? 1.0 / std::sqrt(double(count)) : 0.1 / std::sqrt(0.1 * count) + 0.9 * spot;
         CHECK(step(rays, order_of(rays, 2)) < 4.0 * apart);
     }
 }
