@@ -35,8 +35,8 @@ struct RayKey {
     static constexpr unsigned bucket_bits = 10;                      ///< upper bits of the place
     static constexpr unsigned rest_bits = place_bits - bucket_bits;  ///< sorted within a bucket
     static constexpr unsigned position_bits = 32;                    ///< in the batch
-    static constexpr std::size_t bucket_count = (face_count + 1)
-                                                << bucket_bits;  ///< the dead are a face, too
+    /// The dead count as a face of their own.
+    static constexpr std::size_t bucket_count = (face_count + 1) << bucket_bits;
     static constexpr float last_cell = float((1u << slope_bits) - 1);
 
     [[nodiscard]] static std::size_t bucket(std::uint64_t key) { return key >> (position_bits + rest_bits); }
