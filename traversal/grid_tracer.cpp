@@ -7,6 +7,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
+#include <algorithm>
+
 namespace gridreel::traversal {
 namespace {
 
@@ -35,53 +37,63 @@ rebuild::BuildReport GridTracer::rebuild(const rebuild::TriangleView& triangles)
     return builder_.rebuild(triangles);
 }
 
-/// @param packets     traces packets [begin, end) of a `PacketSource`
-/// @param one_by_one  traces rays [begin, end)
-template <class Packets, class OneByOne>
-TraceReport GridTracer::trace(const RayBatch& rays, const Packets& packets, const OneByOne& one_by_one) {
-    resumed_.begin(rays, triangles_);
-    const GridScene scene{builder_.grid(), triangles_};
-    if (in_packets(rays)) {
-        const PacketSource source(rays, resumed_, sorted(rays));
-        return trace_in_parallel(
-            source.packet_count(), packets_per_task,
-            [&](std::size_t begin, std::size_t end) { return packets(scene, source, begin, end); });
-    }
-    return trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t begin, std::size_t end) {
-        return one_by_one(scene, begin, end);
-    });
-}
-
 TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
     hits.resize(rays.size());
-    return trace(
-        rays,
-        [&](const GridScene& scene, const PacketSource& source, std::size_t begin, std::size_t end) {
-            return closest_in_packets(scene, source, begin, end, hits);
-        },
-        [&](const GridScene& scene, std::size_t begin, std::size_t end) {
-            return closest_one_by_one(scene, rays, resumed_, begin, end, hits);
+    const GridScene scene = begin(rays);
+    if (!in_packets(rays)) {
+        return trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t first, std::size_t last) {
+            return closest_one_by_one(scene, rays, resumed_, first, last, hits);
         });
+    }
+    const bool sorts = rays.order != RayOrder::coherent;
+    const PacketSource source(rays, resumed_, sorts ? &ray_sort_.sort(rays) : nullptr);
+    return trace_in_parallel(source.packet_count(), packets_per_task,
+                             [&](std::size_t first, std::size_t last) {
+                                 return closest_in_packets(scene, source, first, last, hits);
+                             });
 }
 
 TraceReport GridTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded) {
     occluded.resize(rays.size());
-    return trace(
-        rays,
-        [&](const GridScene& scene, const PacketSource& source, std::size_t begin, std::size_t end) {
-            return any_in_packets(scene, source, begin, end, occluded);
-        },
-        [&](const GridScene& scene, std::size_t begin, std::size_t end) {
-            return any_one_by_one(scene, rays, resumed_, begin, end, occluded);
+    const GridScene scene = begin(rays);
+    if (!in_packets(rays)) {
+        return trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t first, std::size_t last) {
+            return any_one_by_one(scene, rays, resumed_, first, last, occluded);
         });
+    }
+    TraceReport report;
+    const SortedRays* sorted = nullptr;
+    if (rays.order != RayOrder::coherent) {
+        report = any_as_they_come(scene, rays, occluded);
+        sorted = &ray_sort_.sort_undecided(rays, occluded);
+    }
+    const PacketSource source(rays, resumed_, sorted);
+    report +=
+        trace_in_parallel(source.packet_count(), packets_per_task, [&](std::size_t first, std::size_t last) {
+            return any_in_packets(scene, source, first, last, occluded);
+        });
+    report.rays = rays.size();
+    return report;
+}
+
+/// Neighbours in the batch are often neighbours in space, whoever says nothing about it.
+TraceReport GridTracer::any_as_they_come(const GridScene& scene, const RayBatch& rays,
+                                         OcclusionBatch& occluded) {
+    const PacketSource source(rays, resumed_, nullptr);
+    const std::size_t attempts = (source.packet_count() + packets_per_attempt - 1) / packets_per_attempt;
+    return trace_in_parallel(attempts, 1, [&](std::size_t first, std::size_t last) {
+        return any_where_cheap(scene, source, first * packets_per_attempt,
+                               std::min(last * packets_per_attempt, source.packet_count()), occluded);
+    });
+}
+
+GridScene GridTracer::begin(const RayBatch& rays) {
+    resumed_.begin(rays, triangles_);
+    return {builder_.grid(), triangles_};
 }
 
 bool GridTracer::in_packets(const RayBatch& rays) const {
     return traversal_ == Traversal::coherent && rays.common_origin.has_value();
-}
-
-const SortedRays* GridTracer::sorted(const RayBatch& rays) {
-    return rays.order == RayOrder::coherent ? nullptr : &ray_sort_.sort(rays);
 }
 
 }  // namespace gridreel::traversal

@@ -2,6 +2,7 @@
 // The grid behind the tracer interface.
 
 #include "rebuild/grid_builder.h"
+#include "traversal/grid_scene.h"
 #include "traversal/ray_sort.h"
 #include "traversal/resumed_rays.h"
 #include "traversal/tracer.h"
@@ -21,11 +22,10 @@ public:
     TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) override;
 
 private:
-    template <class Packets, class OneByOne>
-    TraceReport trace(const RayBatch& rays, const Packets& packets, const OneByOne& one_by_one);
+    [[nodiscard]] GridScene begin(const RayBatch& rays);
     [[nodiscard]] bool in_packets(const RayBatch& rays) const;
-    /// nullptr where the batch's own order will do.
-    [[nodiscard]] const SortedRays* sorted(const RayBatch& rays);
+    /// Leaves rays `undecided` that are better sorted.
+    TraceReport any_as_they_come(const GridScene& scene, const RayBatch& rays, OcclusionBatch& occluded);
 
     Traversal traversal_;
     rebuild::GridBuilder builder_;

@@ -1,5 +1,5 @@
 #pragma once
-// Up to 256 rays from one origin along one axis, in 16 blocks of 16.
+// Up to 512 rays from one origin along one axis, in 32 blocks of 16.
 
 #include "traversal/ray_frame.h"
 
@@ -11,8 +11,11 @@
 namespace gridreel::traversal {
 
 inline constexpr std::size_t rays_per_block = 16;
-inline constexpr std::size_t blocks_per_packet = 16;
+inline constexpr std::size_t blocks_per_packet = 32;
 inline constexpr std::size_t rays_per_packet = rays_per_block * blocks_per_packet;
+
+/// A bit for each block of a packet.
+using BlockMask = std::uint64_t;
 
 /// Rays of one frame (`Axes`) with a common origin, block after block; lanes beyond `ray_count` repeat a ray
 /// and can hit nothing. Depths as in `RayFrame`.
@@ -42,6 +45,7 @@ struct alignas(64) Packet {
     [[nodiscard]] std::size_t block_count() const {
         return (ray_count + rays_per_block - 1) / rays_per_block;
     }
+    [[nodiscard]] BlockMask all_blocks() const { return ~BlockMask{0} >> (64 - block_count()); }
 };
 
 /// Lower than any index that could tie with it, so that a hit exactly at a ray's limit does not count.

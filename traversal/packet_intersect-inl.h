@@ -37,11 +37,11 @@ struct Frustum {
     }
 };
 
-HWY_INLINE Frustum frustum_of(const Packet& packet, unsigned active) {
+HWY_INLINE Frustum frustum_of(const Packet& packet, BlockMask active) {
     float low_u = 2.0f, high_u = -2.0f, low_v = 2.0f, high_v = -2.0f;
     Frustum hull;
     hull.near_depth = packet.near_depth[std::countr_zero(active)];
-    for (unsigned rest = active; rest != 0; rest &= rest - 1) {
+    for (BlockMask rest = active; rest != 0; rest &= rest - 1) {
         const int block = std::countr_zero(rest);
         low_u = std::min(low_u, packet.centre_u[block] - packet.half_u[block]);
         high_u = std::max(high_u, packet.centre_u[block] + packet.half_u[block]);
@@ -132,10 +132,10 @@ HWY_INLINE EdgeFunctions<Lanes> broadcast(const EdgeTable& table, int triangle) 
 }
 
 /// One triangle against all blocks, a lane a block. @return a bit for each block that must look closer
-HWY_INLINE unsigned blocks_that_may_hit(const Packet& packet, const Slopes<Lanes>& aim,
-                                        const EdgeFunctions<Lanes>& edges) {
+HWY_INLINE BlockMask blocks_that_may_hit(const Packet& packet, const Slopes<Lanes>& aim,
+                                         const EdgeFunctions<Lanes>& edges) {
     const LaneTag d;
-    unsigned blocks = 0;
+    BlockMask blocks = 0;
     for (std::size_t first = 0; first < blocks_per_packet; first += hn::Lanes(d)) {
         const Slopes<Lanes> centre{hn::Load(d, packet.centre_u + first),
                                    hn::Load(d, packet.centre_v + first)};
@@ -143,7 +143,7 @@ HWY_INLINE unsigned blocks_that_may_hit(const Packet& packet, const Slopes<Lanes
         const auto inside = may_be_inside(d, edges, difference(centre, aim), half);
         const auto in_reach = hn::And(hn::Le(edges.depth_min, hn::Load(d, packet.far_depth + first)),
                                       hn::Ge(edges.depth_max, hn::Load(d, packet.near_depth + first)));
-        blocks |= bits_of(d, hn::And(inside, in_reach)) << first;
+        blocks |= BlockMask{bits_of(d, hn::And(inside, in_reach))} << first;
     }
     return blocks;
 }
@@ -197,7 +197,7 @@ HWY_INLINE void intersect_block(Packet& packet, const Slopes<Lanes>& aim, const 
 /// Intersects the waiting triangles with the active blocks and lets them go.
 /// Blocks whose rays need nothing more leave `active`.
 template <Wanted wanted>
-void intersect(const GridScene& scene, Packet& packet, unsigned& active, const Frustum& frustum,
+void intersect(const GridScene& scene, Packet& packet, BlockMask& active, const Frustum& frustum,
                Candidates& candidates, TraceReport& report) {
     const Slopes<Lanes> aim = frustum.centre(LaneTag());
     // While one group is worked on, the corners of the next are on their way.
@@ -218,13 +218,13 @@ void intersect(const GridScene& scene, Packet& packet, unsigned& active, const F
         for (; survivors != 0; survivors &= survivors - 1) {
             const int i = std::countr_zero(survivors);
             const auto edges = broadcast(edge_table, i);
-            unsigned blocks = blocks_that_may_hit(packet, aim, edges) & active;
+            BlockMask blocks = blocks_that_may_hit(packet, aim, edges) & active;
             report.triangle_tests += static_cast<std::uint64_t>(std::popcount(blocks)) * rays_per_block;
             for (; blocks != 0; blocks &= blocks - 1) {
                 const int block = std::countr_zero(blocks);
                 intersect_block<wanted>(packet, aim, edges, corners, std::size_t(i), triangles_of(begin)[i],
                                         block);
-                if (packet.far_depth[block] < 0.0f) active &= ~(1u << block);
+                if (packet.far_depth[block] < 0.0f) active &= ~(BlockMask{1} << block);
             }
         }
     }

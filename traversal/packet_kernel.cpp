@@ -9,7 +9,9 @@
 #include "traversal/packet_load-inl.h"
 #include "traversal/packet_march-inl.h"
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -39,6 +41,11 @@ void for_each_face(const PacketSource& source, std::size_t begin, std::size_t en
     }
 }
 
+/// Whether any ray can hit anything.
+HWY_INLINE bool is_traceable(const GridScene& scene, const PacketSource& source) {
+    return !scene.grid.empty() && rebuild::is_traceable(*source.rays.common_origin);
+}
+
 /// @param store  writes a marched packet's answers
 /// @param dead   writes the answer of a ray that hits nothing
 template <Wanted wanted, class Store, class Dead>
@@ -47,7 +54,7 @@ TraceReport trace_packets(const GridScene& scene, const PacketSource& source, st
     TraceReport report;
     Packet packet;
     Candidates candidates;
-    const bool traceable = !scene.grid.empty() && rebuild::is_traceable(*source.rays.common_origin);
+    const bool traceable = is_traceable(scene, source);
     const auto trace = [&](Packet& loaded) {
         if (traceable) March<wanted>(scene, loaded, candidates, report).run();
         store(loaded);
@@ -88,6 +95,81 @@ TraceReport any_in_packets(const GridScene& scene, const PacketSource& source, s
         [&](std::uint32_t ray) { occluded[ray] = 0; });
 }
 
+/// Packets of neighbours in the batch's own order: of each so many, one is tried before the others.
+class Attempts {
+public:
+    Attempts(const GridScene& scene, const PacketSource& source, OcclusionBatch& occluded)
+        : scene_(scene), source_(source), occluded_(occluded) {}
+
+    /// Tries some of packets [begin, end), and the others if most of those succeed.
+    void run(std::size_t begin, std::size_t end) {
+        constexpr std::size_t sampled_of = 8;
+        const auto is_sample = [begin](std::size_t p) { return (p - begin) % sampled_of == sampled_of / 2; };
+        std::size_t tried = 0, succeeded = 0;
+        for (std::size_t p = begin; p < end; ++p) {
+            if (!is_sample(p)) continue;
+            ++tried;
+            succeeded += trace(source_.cut(p)) ? 1 : 0;
+        }
+        for (std::size_t p = begin; p < end; ++p) {
+            if (is_sample(p)) continue;
+            if (tried > 0 && 2 * succeeded >= tried) {
+                trace(source_.cut(p));
+            } else {
+                give_up(source_.cut(p));
+            }
+        }
+    }
+
+    [[nodiscard]] const TraceReport& report() const { return report_; }
+
+private:
+    /// @return whether all rays are decided
+    bool trace(const PacketSource::Cut& cut) {
+        // Sorting a ray takes about 70 cycles, and what is left to be sorted is the dearer the thinner it is.
+        constexpr std::uint64_t work_per_ray = 20;
+        if (!load_uniform(source_, cut.begin, cut.end - cut.begin, packet_)) {
+            give_up(cut);
+            return false;
+        }
+        March<Wanted::any> march(scene_, packet_, candidates_, report_);
+        const BlockMask open = march.run(work_per_ray * packet_.ray_count);
+        for (std::size_t lane = 0; lane < packet_.ray_count; ++lane) {
+            const bool is_open = (open >> lane / rays_per_block & 1) != 0;
+            occluded_[packet_.ray[lane]] = packet_.depth[lane] < 0.0f ? 1 : is_open ? undecided : 0;
+        }
+        return open == 0;
+    }
+
+    void give_up(const PacketSource::Cut& cut) {
+        std::fill(occluded_.begin() + cut.begin, occluded_.begin() + cut.end, undecided);
+    }
+
+    const GridScene& scene_;
+    const PacketSource& source_;
+    OcclusionBatch& occluded_;
+    TraceReport report_;
+    Packet packet_;
+    Candidates candidates_;
+};
+
+TraceReport any_where_cheap(const GridScene& scene, const PacketSource& source, std::size_t begin,
+                            std::size_t end, OcclusionBatch& occluded) {
+    assert(source.sorted == nullptr);
+    if (!is_traceable(scene, source)) {
+        for (std::size_t p = begin; p < end; ++p) {
+            const PacketSource::Cut cut = source.cut(p);
+            std::fill(occluded.begin() + cut.begin, occluded.begin() + cut.end, std::uint8_t{0});
+        }
+        return {};
+    }
+    Attempts attempts(scene, source, occluded);
+    for (std::size_t p = begin; p < end; p += packets_per_attempt) {
+        attempts.run(p, std::min(p + packets_per_attempt, end));
+    }
+    return attempts.report();
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace gridreel::traversal
 HWY_AFTER_NAMESPACE();
@@ -105,7 +187,7 @@ PacketSource::PacketSource(const RayBatch& batch, const ResumedRays& begun, cons
         return;
     }
     for (std::size_t face = 0; face <= face_count; ++face) {
-        const std::size_t end = face == face_count ? rays.size() : sorted->face_begin[face + 1];
+        const std::size_t end = face == face_count ? sorted->order.size() : sorted->face_begin[face + 1];
         packet_begin_[face + 1] = packet_begin_[face] + packets_for(end - sorted->face_begin[face]);
     }
 }
@@ -118,12 +200,18 @@ PacketSource::Cut PacketSource::cut(std::size_t packet) const {
     unsigned face = 0;
     while (packet >= packet_begin_[face + 1]) ++face;
     const std::size_t begin = sorted->face_begin[face] + (packet - packet_begin_[face]) * rays_per_packet;
-    const std::size_t face_end = face == face_count ? rays.size() : sorted->face_begin[face + 1];
+    const std::size_t face_end = face == face_count ? sorted->order.size() : sorted->face_begin[face + 1];
     return {.begin = begin, .end = std::min(begin + rays_per_packet, face_end), .axes = axes_of_face(face)};
 }
 
 HWY_EXPORT(closest_in_packets);
 HWY_EXPORT(any_in_packets);
+HWY_EXPORT(any_where_cheap);
+
+TraceReport any_where_cheap(const GridScene& scene, const PacketSource& source, std::size_t begin,
+                            std::size_t end, OcclusionBatch& occluded) {
+    return HWY_DYNAMIC_DISPATCH(any_where_cheap)(scene, source, begin, end, occluded);
+}
 
 TraceReport closest_in_packets(const GridScene& scene, const PacketSource& source, std::size_t begin,
                                std::size_t end, HitBatch& hits) {

@@ -46,4 +46,13 @@ TraceReport closest_in_packets(const GridScene& scene, const PacketSource& sourc
 TraceReport any_in_packets(const GridScene& scene, const PacketSource& source, std::size_t begin,
                            std::size_t end, OcclusionBatch& occluded);
 
+/// Packets that `any_where_cheap` judges together.
+inline constexpr std::size_t packets_per_attempt = 16;
+
+/// The same of packets in a batch's own order, of which nothing is known, as far as that takes less work than
+/// sorting them: where few of some neighbours' packets do, or one is too wide, rays are left `undecided`.
+/// @param begin  a multiple of `packets_per_attempt`; so is `end`, unless it is the last packet's
+TraceReport any_where_cheap(const GridScene& scene, const PacketSource& source, std::size_t begin,
+                            std::size_t end, OcclusionBatch& occluded);
+
 }  // namespace gridreel::traversal

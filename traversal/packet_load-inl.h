@@ -176,7 +176,7 @@ HWY_INLINE bool load_uniform(const PacketSource& source, std::size_t begin, std:
 }
 
 /// Fills the packet with rays that all have one origin and the frame `axes`, one by one.
-/// @param rays  1 to 256 positions in the batch, none of which hits nothing
+/// @param rays  1 to `rays_per_packet` positions in the batch, none of which hits nothing
 HWY_INLINE void load_chosen(const PacketSource& source, Axes axes, std::span<const std::uint32_t> rays,
                             Packet& packet) {
     assert(!rays.empty() && rays.size() <= rays_per_packet);

@@ -19,6 +19,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
@@ -28,6 +30,10 @@ namespace HWY_NAMESPACE {
 constexpr std::size_t worth_a_pass = 8;
 /// A packet that covers more cells than this per active block in one slice goes on as two.
 constexpr std::int64_t cells_per_block_limit = 16;
+
+/// What things take, in cycles, roughly: counted, not timed, so that a limit means the same every time.
+constexpr std::uint64_t work_of_cell = 10, work_of_candidate = 35, work_of_test = 2;
+constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 
 /// The grid as the packet sees it: one axis across, in depth and offsets from the packet's origin.
 struct Across {
@@ -69,15 +75,20 @@ public:
     March(const GridScene& scene, Packet& packet, Candidates& candidates, TraceReport& report)
         : scene_(scene), packet_(packet), candidates_(candidates), report_(report) {}
 
-    /// Traces all blocks through the whole grid.
-    void run() {
+    /// Traces all blocks through the whole grid, as long as that takes no more work than `limit`.
+    /// @return a bit for each block that was given up
+    BlockMask run(std::uint64_t limit = no_limit) {
+        work_ = 0;
+        work_limit_ = limit;
+        given_up_ = 0;
         const Stage top = stage(0, 0);
         // Corners are rounded when they are taken relative to the origin: far away they stand beside their
         // cells.
         const rebuild::Bounds3& box = scene_.grid.top().bounds;
         corner_error_ = farthest_offset(box, packet_.origin) * 0x1p-23;
         candidates_.clear();
-        walk_alone(top, (1u << packet_.block_count()) - 1u, 0);
+        walk_alone(top, packet_.all_blocks(), 0);
+        return given_up_;
     }
 
 private:
@@ -109,14 +120,14 @@ private:
     }
 
     /// Walks the blocks from `slice` on, and tests all that they collect.
-    void walk_alone(const Stage& at, unsigned active, int slice) {
+    void walk_alone(const Stage& at, BlockMask active, int slice) {
         Frustum frustum = frustum_of(packet_, active);
         walk(at, active, frustum, slice);
         flush(active, frustum);
     }
 
     /// Walks the active blocks through one grid; what they collected last may still wait at the end.
-    void walk(const Stage& at, unsigned& active, Frustum& frustum, int slice) {
+    void walk(const Stage& at, BlockMask& active, Frustum& frustum, int slice) {
         slice = std::max(slice, first_slice(at, frustum));
         bool entered = false;
         for (; slice < at.slices && active != 0; ++slice) {
@@ -147,6 +158,7 @@ private:
                 return;
             }
             report_.cells += static_cast<std::uint64_t>(cells.count());
+            if (!afford(static_cast<std::uint64_t>(cells.count()) * work_of_cell, active)) return;
             collect(at, slice, cells, active, frustum);
             if (candidates_.size() >= worth_a_pass) flush(active, frustum);
         }
@@ -176,11 +188,11 @@ private:
             std::clamp(std::floor((depth - at.first_plane) / at.slice_depth), 0.0, double(at.slices)));
     }
 
-    void collect(const Stage& at, int slice, const Cells& cells, unsigned& active, Frustum& frustum) {
+    void collect(const Stage& at, int slice, const Cells& cells, BlockMask& active, Frustum& frustum) {
         const auto layer =
             at.first_cell +
             static_cast<std::size_t>(packet_.axes.negative ? at.slices - 1 - slice : slice) * at.slice_stride;
-        for (int v = cells.v0; v <= cells.v1; ++v) {
+        for (int v = cells.v0; v <= cells.v1 && active != 0; ++v) {
             const std::size_t row = layer + static_cast<std::size_t>(v) * at.v.stride;
             if (at.u.stride == 1) {  // neighbours along x: one span of references
                 take(at, row + std::size_t(cells.u0), row + std::size_t(cells.u1) + 1, active, frustum);
@@ -194,7 +206,7 @@ private:
     }
 
     /// The triangles of cells [begin, end).
-    HWY_INLINE void take(const Stage& at, std::size_t begin, std::size_t end, unsigned& active,
+    HWY_INLINE void take(const Stage& at, std::size_t begin, std::size_t end, BlockMask& active,
                          Frustum& frustum) {
         const std::uint32_t last = at.level.cell_begin[end];
         for (std::uint32_t i = at.level.cell_begin[begin]; i < last; ++i) {
@@ -210,46 +222,60 @@ private:
         }
     }
 
-    void flush(unsigned& active, Frustum& frustum) {
+    /// Gives the active blocks up if that much more work is too much. @return whether it is not
+    HWY_INLINE bool afford(std::uint64_t more, BlockMask& active) {
+        work_ += more;
+        if (HWY_LIKELY(work_ <= work_limit_)) return true;
+        given_up_ |= std::exchange(active, 0);
+        return false;
+    }
+
+    void flush(BlockMask& active, Frustum& frustum) {
         if (candidates_.size() == 0) return;
+        const std::uint64_t tests_before = report_.triangle_tests;
+        if (!afford(candidates_.size() * work_of_candidate, active)) {
+            candidates_.drop_all();
+            return;
+        }
         intersect<wanted>(scene_, packet_, active, frustum, candidates_, report_);
+        work_ += (report_.triangle_tests - tests_before) * work_of_test;
         update_reach(active, frustum);
     }
 
-    void update_reach(unsigned active, Frustum& frustum) const {
+    void update_reach(BlockMask active, Frustum& frustum) const {
         float far_depth = -1.0f;
-        for (unsigned rest = active; rest != 0; rest &= rest - 1) {
+        for (BlockMask rest = active; rest != 0; rest &= rest - 1) {
             far_depth = std::max(far_depth, packet_.far_depth[std::countr_zero(rest)]);
         }
         frustum.far_depth = far_depth;
     }
 
     /// Halves the wider side of the frustum; each half goes on alone through this grid from the same slice.
-    void split(const Stage& at, unsigned& active, Frustum& frustum, int slice) {
+    void split(const Stage& at, BlockMask& active, Frustum& frustum, int slice) {
         flush(active, frustum);
         if (active == 0) return;
         const bool by_u = frustum.half_u > frustum.half_v;
-        unsigned lower = 0;
-        for (unsigned rest = active; rest != 0; rest &= rest - 1) {
+        BlockMask lower = 0;
+        for (BlockMask rest = active; rest != 0; rest &= rest - 1) {
             const int block = std::countr_zero(rest);
             const bool below = by_u ? packet_.centre_u[block] < frustum.centre_u
                                     : packet_.centre_v[block] < frustum.centre_v;
-            if (below) lower |= 1u << block;
+            if (below) lower |= BlockMask{1} << block;
         }
         if (lower == 0 || lower == active) {  // all blocks alike: any two halves will do
             lower = active;
             for (int dropped = std::popcount(active) / 2; dropped > 0; --dropped) lower &= lower - 1;
         }
-        for (const unsigned half : {lower, active & ~lower}) {
+        for (const BlockMask half : {lower, active & ~lower}) {
             if (half == 0) continue;  // the flush left a single block
             candidates_.forget();
             walk_alone(at, half, slice);
         }
         // Together again, in the grid around this one.
         candidates_.forget();
-        for (unsigned rest = active; rest != 0; rest &= rest - 1) {
+        for (BlockMask rest = active; rest != 0; rest &= rest - 1) {
             const int block = std::countr_zero(rest);
-            if (packet_.far_depth[block] < 0.0f) active &= ~(1u << block);
+            if (packet_.far_depth[block] < 0.0f) active &= ~(BlockMask{1} << block);
         }
         update_reach(active, frustum);
     }
@@ -259,6 +285,8 @@ private:
     Candidates& candidates_;
     TraceReport& report_;
     double corner_error_ = 0.0;  // metres across
+    std::uint64_t work_ = 0, work_limit_ = no_limit;
+    BlockMask given_up_ = 0;  // when the work became too much
 };
 
 }  // namespace HWY_NAMESPACE

@@ -59,4 +59,7 @@ struct HitBatch {
 /// 1 for every ray that something blocks, else 0.
 using OcclusionBatch = rebuild::Buffer<std::uint8_t>;
 
+/// In an `OcclusionBatch` that is still being filled: not yet known.
+inline constexpr std::uint8_t undecided = 2;
+
 }  // namespace gridreel::traversal

@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace gridreel::traversal {
@@ -56,51 +57,59 @@ KeyMap key_map(const FaceBounds& bounds) {
 }
 
 constexpr unsigned digit_bits = 8;
-static_assert(digit_bits <= RayKey::rest_bits &&
-              RayKey::rest_bits <= 2 * digit_bits);  // two, maybe overlapping
-constexpr unsigned lower_digit = RayKey::position_bits;
-constexpr unsigned upper_digit = lower_digit + RayKey::rest_bits - digit_bits;
+constexpr std::size_t digit_values = std::size_t{1} << digit_bits;
 
-/// Stable, by the digit of the keys from `shift` on.
-template <class To>
-void sort_by_digit(const std::uint64_t* from, To* to, std::size_t count, unsigned shift) {
-    constexpr std::size_t values = 1u << digit_bits;
-    const auto digit = [shift](std::uint64_t key) { return key >> shift & (values - 1); };
-    std::array<std::uint32_t, values> next{};
-    for (std::size_t i = 0; i < count; ++i) ++next[digit(from[i])];
-    std::uint32_t sum = 0;
-    for (std::uint32_t& value : next) sum += std::exchange(value, sum);
-    for (std::size_t i = 0; i < count; ++i) to[next[digit(from[i])]++] = static_cast<To>(from[i]);
-}
-
-/// From the keys of one bucket to its part of the order: as fine as so many rays need.
-/// @param spare  room for as many keys
-void sort_bucket(std::uint64_t* keys, std::size_t count, std::uint64_t* spare, std::uint32_t* order) {
-    constexpr std::size_t few = 32;                      // sooner sorted by comparing
-    constexpr std::size_t one_digit = 8u << digit_bits;  // eight rays for each value
-    if (count <= few) {
-        std::sort(keys, keys + count);
-        std::transform(keys, keys + count, order,
-                       [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
-    } else if (count <= one_digit) {
-        sort_by_digit(keys, order, count, upper_digit);
-    } else {
-        sort_by_digit(keys, spare, count, lower_digit);
-        sort_by_digit(spare, order, count, upper_digit);
+/// Sorts the keys of one bucket, or of one part of it, and writes their positions: digit by digit from the
+/// highest on, as long as more rays share it than a few blocks hold.
+/// @param digit_end  keys agree in all bits from this one on
+/// @param spare      room for as many keys
+void sort_bucket(std::uint64_t* keys, std::size_t count, unsigned digit_end, std::uint64_t* spare,
+                 std::uint32_t* order) {
+    constexpr std::size_t few = 32;  // sooner sorted by comparing
+    const auto position = [](std::uint64_t key) {
+        return static_cast<std::uint32_t>(key & RayKey::position_mask);
+    };
+    if (count <= few || digit_end == RayKey::position_bits) {
+        if (digit_end > RayKey::position_bits) std::sort(keys, keys + count);
+        std::transform(keys, keys + count, order, position);
+        return;
+    }
+    const unsigned shift = std::max(RayKey::position_bits + digit_bits, digit_end) - digit_bits;
+    const auto digit = [shift](std::uint64_t key) { return key >> shift & (digit_values - 1); };
+    std::array<std::uint32_t, digit_values + 1> begin{};
+    for (std::size_t i = 0; i < count; ++i) ++begin[digit(keys[i]) + 1];
+    std::uint32_t most = 0;
+    for (std::size_t value = 1; value <= digit_values; ++value) {
+        most = std::max(most, begin[value]);
+        begin[value] += begin[value - 1];
+    }
+    std::array<std::uint32_t, digit_values> next;
+    std::copy(begin.begin(), begin.end() - 1, next.begin());
+    if (most <= few) {  // and those in the batch's order
+        for (std::size_t i = 0; i < count; ++i) order[next[digit(keys[i])]++] = position(keys[i]);
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i) spare[next[digit(keys[i])]++] = keys[i];
+    for (std::size_t value = 0; value < digit_values; ++value) {
+        const std::size_t first = begin[value], size = begin[value + 1] - first;
+        if (size <= few) {
+            std::transform(spare + first, spare + first + size, order + first, position);
+        } else {
+            sort_bucket(spare + first, size, shift, keys + first, order + first);
+        }
     }
 }
 
 }  // namespace
 
-const SortedRays& RaySort::sort(const RayBatch& rays) {
+const SortedRays& RaySort::sort(const RayBatch& rays, const OcclusionBatch* only) {
+    if (rays.size() > RayKey::position_mask) throw std::length_error("2^29 rays or more in one batch");
     const auto threads = static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));
-    histograms_.resize(std::clamp<std::size_t>(rays.size() / rays_per_chunk, 1, threads));
+    chunks_.resize(std::clamp<std::size_t>(rays.size() / rays_per_chunk, 1, threads));
     sorted_.framed.resize(rays.size());
-    sorted_.order.resize(rays.size());
     keys_.resize(rays.size());
-    in_buckets_.resize(rays.size());
 
-    key_and_count(rays);
+    key_and_count(rays, only);
     scatter();
     sort_buckets();
     for (std::size_t face = 0; face <= face_count; ++face) {
@@ -110,20 +119,23 @@ const SortedRays& RaySort::sort(const RayBatch& rays) {
 }
 
 std::size_t RaySort::chunk_begin(std::size_t chunk) const {
-    if (chunk == histograms_.size()) return keys_.size();
-    return keys_.size() * chunk / histograms_.size() / rays_per_step * rays_per_step;
+    if (chunk == chunks_.size()) return keys_.size();
+    return keys_.size() * chunk / chunks_.size() / rays_per_step * rays_per_step;
 }
 
-void RaySort::key_and_count(const RayBatch& rays) {
+std::span<const std::uint64_t> RaySort::keys_of(std::size_t chunk) const {
+    return {keys_.data() + chunk_begin(chunk), chunks_[chunk].key_count};
+}
+
+void RaySort::key_and_count(const RayBatch& rays, const OcclusionBatch* only) {
     const KeyMap map = key_map(sampled_bounds(rays));
-    tbb::parallel_for(std::size_t{0}, histograms_.size(), [&](std::size_t chunk) {
-        frame_and_key(rays, chunk_begin(chunk), chunk_begin(chunk + 1), map, sorted_.framed.data(),
-                      keys_.data());
-        Histogram& counts = histograms_[chunk];
-        counts.fill(0);
-        for (std::size_t i = chunk_begin(chunk); i < chunk_begin(chunk + 1); ++i) {
-            ++counts[RayKey::bucket(keys_[i])];
-        }
+    tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t c) {
+        const std::size_t begin = chunk_begin(c);
+        Chunk& chunk = chunks_[c];
+        chunk.key_count = frame_and_key(rays, begin, chunk_begin(c + 1), only, map, sorted_.framed.data(),
+                                        keys_.data() + begin);
+        chunk.next.fill(0);
+        for (const std::uint64_t key : keys_of(c)) ++chunk.next[RayKey::bucket(key)];
     });
 }
 
@@ -132,14 +144,14 @@ void RaySort::scatter() {
     std::uint32_t sum = 0;
     for (std::size_t bucket = 0; bucket < RayKey::bucket_count; ++bucket) {
         bucket_begin_[bucket] = sum;
-        for (Histogram& next : histograms_) sum += std::exchange(next[bucket], sum);
+        for (Chunk& chunk : chunks_) sum += std::exchange(chunk.next[bucket], sum);
     }
     bucket_begin_.back() = sum;
-    tbb::parallel_for(std::size_t{0}, histograms_.size(), [&](std::size_t chunk) {
-        Histogram& next = histograms_[chunk];
-        for (std::size_t i = chunk_begin(chunk); i < chunk_begin(chunk + 1); ++i) {
-            in_buckets_[next[RayKey::bucket(keys_[i])]++] = keys_[i];
-        }
+    in_buckets_.resize(sum);
+    sorted_.order.resize(sum);
+    tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t c) {
+        Histogram& next = chunks_[c].next;
+        for (const std::uint64_t key : keys_of(c)) in_buckets_[next[RayKey::bucket(key)]++] = key;
     });
 }
 
@@ -147,8 +159,8 @@ void RaySort::sort_buckets() {
     std::uint64_t* const spare = keys_.data();
     tbb::parallel_for(std::size_t{0}, RayKey::bucket_count, [&](std::size_t bucket) {
         const std::size_t begin = bucket_begin_[bucket];
-        sort_bucket(in_buckets_.data() + begin, bucket_begin_[bucket + 1] - begin, spare + begin,
-                    sorted_.order.data() + begin);
+        sort_bucket(in_buckets_.data() + begin, bucket_begin_[bucket + 1] - begin,
+                    RayKey::position_bits + RayKey::rest_bits, spare + begin, sorted_.order.data() + begin);
     });
 }
 

@@ -29,13 +29,24 @@ HWY_INLINE Lanes of_faces(const std::array<float, face_count + 1>& values,
                : hn::GatherIndex(d, values.data(), faces);
 }
 
-void frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
-                   FramedRay* framed, std::uint64_t* keys) {
+std::size_t frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t end,
+                          const OcclusionBatch* only, const KeyMap& map, FramedRay* framed,
+                          std::uint64_t* keys) {
     const LaneTag d;
     const hn::RebindToSigned<LaneTag> di;
     const Lanes last = hn::Set(d, RayKey::last_cell);
     HWY_ALIGN std::int32_t face[group], x[group], y[group];
+    std::size_t count = 0;
     for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
+        const std::size_t last_lane = std::min(hn::Lanes(d), end - i);
+        const auto is_wanted = [&](std::size_t lane) {
+            return only == nullptr || (*only)[i + lane] == undecided;
+        };
+        if (only != nullptr) {
+            const hn::Rebind<std::uint8_t, LaneTag> du8;
+            const auto marks = hn::LoadU(du8, only->data() + i);
+            if (hn::AllFalse(du8, hn::Eq(marks, hn::Set(du8, undecided)))) continue;
+        }
         const auto read = [&](const rebuild::Buffer<float>& values) {
             return hn::Load(d, values.data() + i);
         };
@@ -53,15 +64,18 @@ void frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t end, con
         hn::Store(cell(ray.slope_u, map.low_u), di, x);
         hn::Store(cell(ray.slope_v, map.low_v), di, y);
         hn::Store(faces, di, face);
-        for (std::size_t lane = 0; lane < std::min(hn::Lanes(d), end - i); ++lane) {
+        for (std::size_t lane = 0; lane < last_lane; ++lane) {
+            if (!is_wanted(lane)) continue;
             const auto bits = [lane](const std::int32_t* lanes) {
                 return static_cast<std::uint32_t>(lanes[lane]);
             };
-            const std::uint32_t key =
-                bits(face) << RayKey::place_bits | hilbert_index<RayKey::slope_bits>(bits(x), bits(y));
-            keys[i + lane] = std::uint64_t{key} << RayKey::position_bits | (i + lane);
+            const std::uint32_t place = hilbert_index<RayKey::slope_bits>(bits(x), bits(y));
+            keys[count++] = (std::uint64_t{bits(face)} << RayKey::place_bits | place)
+                                << RayKey::position_bits |
+                            (i + lane);
         }
     }
+    return count;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -73,9 +87,10 @@ namespace gridreel::traversal {
 
 HWY_EXPORT(frame_and_key);
 
-void frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
-                   FramedRay* framed, std::uint64_t* keys) {
-    HWY_DYNAMIC_DISPATCH(frame_and_key)(rays, begin, end, map, framed, keys);
+std::size_t frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t end,
+                          const OcclusionBatch* only, const KeyMap& map, FramedRay* framed,
+                          std::uint64_t* keys) {
+    return HWY_DYNAMIC_DISPATCH(frame_and_key)(rays, begin, end, only, map, framed, keys);
 }
 
 }  // namespace gridreel::traversal

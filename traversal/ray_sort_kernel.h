@@ -20,8 +20,12 @@ struct KeyMap {
 
 /// Frames rays [begin, end) of a batch, the same bits as `ray_frame`, and makes their keys.
 /// @param begin         a multiple of `rays_per_step`; so is `end`, unless it is the batch's
-/// @param framed, keys  of the whole batch
-void frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t end, const KeyMap& map,
-                   FramedRay* framed, std::uint64_t* keys);
+/// @param framed  of the whole batch
+/// @param keys    of the rays wanted, one after the other
+/// @param only    of the whole batch: rays where it is `undecided` are wanted, no others; null: all are
+/// @return how many keys there are
+std::size_t frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t end,
+                          const OcclusionBatch* only, const KeyMap& map, FramedRay* framed,
+                          std::uint64_t* keys);
 
 }  // namespace gridreel::traversal
