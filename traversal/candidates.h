@@ -14,7 +14,9 @@ class Candidates {
 public:
     static constexpr std::size_t capacity = 1024;
 
-    void clear() {
+    /// @param remembers  whether there is a mailbox
+    void clear(bool remembers = true) {
+        remembers_ = remembers;
         count_ = 0;
         forget();
     }
@@ -26,7 +28,7 @@ public:
     /// @return whether it was added
     bool add(std::uint32_t triangle) {
         std::uint32_t& entry = met_[triangle % met_.size()];
-        if (entry == triangle) return false;
+        if (entry == triangle && remembers_) return false;
         entry = triangle;
         triangles_[count_++] = triangle;
         return true;
@@ -39,6 +41,7 @@ public:
 
 private:
     std::size_t count_ = 0;
+    bool remembers_ = true;
     std::array<std::uint32_t, 1024> met_;
     std::array<std::uint32_t, capacity> triangles_;
 };

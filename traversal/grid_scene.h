@@ -2,7 +2,9 @@
 // What the kernels that walk a grid need to see.
 
 #include "rebuild/grid.h"
+#include "rebuild/macrocells.h"
 #include "rebuild/triangle_view.h"
+#include "traversal/packet_options.h"
 
 #include <glm/vec3.hpp>
 
@@ -21,10 +23,12 @@ namespace gridreel::traversal {
     return farthest;
 }
 
-/// A grid and the triangles it was built from. Borrowed, valid until the next rebuild.
+/// A grid, the triangles it was built from, and how to go through it. Borrowed, valid until the next rebuild.
 struct GridScene {
     const rebuild::Grid& grid;
     rebuild::TriangleView triangles;
+    PacketOptions packets{};
+    const rebuild::Macrocells* macrocells = nullptr;  ///< of the grid; none: do not skip
 };
 
 }  // namespace gridreel::traversal

@@ -8,6 +8,8 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <chrono>
+#include <stdexcept>
 
 namespace gridreel::traversal {
 namespace {
@@ -29,12 +31,25 @@ TraceReport trace_in_parallel(std::size_t count, std::size_t grain, const Trace&
 
 }  // namespace
 
-GridTracer::GridTracer(const rebuild::ResolutionPolicy& resolution, Traversal traversal)
-    : traversal_(traversal), builder_(resolution) {}
+GridTracer::GridTracer(const rebuild::ResolutionPolicy& resolution, Traversal traversal,
+                       const PacketOptions& packets)
+    : traversal_(traversal), packets_(packets), builder_(resolution) {
+    if (packets.side && (*packets.side < 1 || *packets.side > widest_packet_side)) {
+        throw std::invalid_argument("a packet's side must be in [1, 16]");
+    }
+}
 
 rebuild::BuildReport GridTracer::rebuild(const rebuild::TriangleView& triangles) {
     triangles_ = triangles;
-    return builder_.rebuild(triangles);
+    rebuild::BuildReport report = builder_.rebuild(triangles);
+    if (packets_.macrocells) {
+        const auto begun = std::chrono::steady_clock::now();
+        macrocells_.rebuild(builder_.grid());
+        const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begun;
+        report.total_ms += elapsed.count();
+        report.bytes += macrocells_.bytes();
+    }
+    return report;
 }
 
 TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
@@ -46,7 +61,7 @@ TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
         });
     }
     const bool sorts = rays.order != RayOrder::coherent;
-    const PacketSource source(rays, resumed_, sorts ? &ray_sort_.sort(rays) : nullptr);
+    const PacketSource source(rays, resumed_, sorts ? &ray_sort_.sort(rays) : nullptr, packets_);
     return trace_in_parallel(source.packet_count(), packets_per_task,
                              [&](std::size_t first, std::size_t last) {
                                  return closest_in_packets(scene, source, first, last, hits);
@@ -67,7 +82,7 @@ TraceReport GridTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded)
         report = any_as_they_come(scene, rays, occluded);
         sorted = &ray_sort_.sort_undecided(rays, occluded);
     }
-    const PacketSource source(rays, resumed_, sorted);
+    const PacketSource source(rays, resumed_, sorted, packets_);
     report +=
         trace_in_parallel(source.packet_count(), packets_per_task, [&](std::size_t first, std::size_t last) {
             return any_in_packets(scene, source, first, last, occluded);
@@ -79,7 +94,7 @@ TraceReport GridTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded)
 /// Neighbours in the batch are often neighbours in space, whoever says nothing about it.
 TraceReport GridTracer::any_as_they_come(const GridScene& scene, const RayBatch& rays,
                                          OcclusionBatch& occluded) {
-    const PacketSource source(rays, resumed_, nullptr);
+    const PacketSource source(rays, resumed_, nullptr, packets_);
     const std::size_t attempts = (source.packet_count() + packets_per_attempt - 1) / packets_per_attempt;
     return trace_in_parallel(attempts, 1, [&](std::size_t first, std::size_t last) {
         return any_where_cheap(scene, source, first * packets_per_attempt,
@@ -89,7 +104,10 @@ TraceReport GridTracer::any_as_they_come(const GridScene& scene, const RayBatch&
 
 GridScene GridTracer::begin(const RayBatch& rays) {
     resumed_.begin(rays, triangles_);
-    return {builder_.grid(), triangles_};
+    return {.grid = builder_.grid(),
+            .triangles = triangles_,
+            .packets = packets_,
+            .macrocells = packets_.macrocells ? &macrocells_ : nullptr};
 }
 
 bool GridTracer::in_packets(const RayBatch& rays) const {

@@ -2,6 +2,7 @@
 // The grid behind the tracer interface.
 
 #include "rebuild/grid_builder.h"
+#include "rebuild/macrocells.h"
 #include "traversal/grid_scene.h"
 #include "traversal/ray_sort.h"
 #include "traversal/resumed_rays.h"
@@ -15,7 +16,9 @@ class GridTracer final : public Tracer {
 public:
     enum class Traversal { coherent, one_by_one };
 
-    GridTracer(const rebuild::ResolutionPolicy& resolution, Traversal traversal);
+    /// @throws std::invalid_argument for a packet side beyond 1 to `widest_packet_side`
+    GridTracer(const rebuild::ResolutionPolicy& resolution, Traversal traversal,
+               const PacketOptions& packets = {});
 
     rebuild::BuildReport rebuild(const rebuild::TriangleView& triangles) override;
     TraceReport closest_hits(const RayBatch& rays, HitBatch& hits) override;
@@ -28,7 +31,9 @@ private:
     TraceReport any_as_they_come(const GridScene& scene, const RayBatch& rays, OcclusionBatch& occluded);
 
     Traversal traversal_;
+    PacketOptions packets_;
     rebuild::GridBuilder builder_;
+    rebuild::Macrocells macrocells_;
     rebuild::TriangleView triangles_;
     ResumedRays resumed_;
     RaySort ray_sort_;

@@ -214,11 +214,13 @@ void intersect(const GridScene& scene, Packet& packet, BlockMask& active, const 
         const CornerTable<group>& corners = tables[begin / group % 2];
         unsigned survivors = cull_by_frustum(corners, packet, frustum, edge_table);
         const std::size_t count = std::min(group, candidates.size() - begin);
+        if (HWY_UNLIKELY(!scene.packets.culling)) survivors = ~0u;
         survivors &= (1u << count) - 1u;
         for (; survivors != 0; survivors &= survivors - 1) {
             const int i = std::countr_zero(survivors);
             const auto edges = broadcast(edge_table, i);
-            BlockMask blocks = blocks_that_may_hit(packet, aim, edges) & active;
+            BlockMask blocks =
+                HWY_LIKELY(scene.packets.culling) ? blocks_that_may_hit(packet, aim, edges) & active : active;
             report.triangle_tests += static_cast<std::uint64_t>(std::popcount(blocks)) * rays_per_block;
             for (; blocks != 0; blocks &= blocks - 1) {
                 const int block = std::countr_zero(blocks);

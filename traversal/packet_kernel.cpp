@@ -177,11 +177,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace gridreel::traversal {
 
-PacketSource::PacketSource(const RayBatch& batch, const ResumedRays& begun, const SortedRays* sorted_rays)
-    : rays(batch), resumed(begun), sorted(sorted_rays) {
-    const auto packets_for = [](std::size_t count) {
-        return (count + rays_per_packet - 1) / rays_per_packet;
-    };
+PacketSource::PacketSource(const RayBatch& batch, const ResumedRays& begun, const SortedRays* sorted_rays,
+                           const PacketOptions& options)
+    : rays(batch),
+      resumed(begun),
+      sorted(sorted_rays),
+      packet_size_(options.side ? static_cast<std::size_t>(*options.side * *options.side) : rays_per_packet) {
+    const auto packets_for = [this](std::size_t count) { return (count + packet_size_ - 1) / packet_size_; };
     if (sorted == nullptr) {
         packet_begin_.back() = packets_for(rays.size());
         return;
@@ -194,14 +196,14 @@ PacketSource::PacketSource(const RayBatch& batch, const ResumedRays& begun, cons
 
 PacketSource::Cut PacketSource::cut(std::size_t packet) const {
     if (sorted == nullptr) {
-        const std::size_t begin = packet * rays_per_packet;
-        return {.begin = begin, .end = std::min(begin + rays_per_packet, rays.size()), .axes = {}};
+        const std::size_t begin = packet * packet_size_;
+        return {.begin = begin, .end = std::min(begin + packet_size_, rays.size()), .axes = {}};
     }
     unsigned face = 0;
     while (packet >= packet_begin_[face + 1]) ++face;
-    const std::size_t begin = sorted->face_begin[face] + (packet - packet_begin_[face]) * rays_per_packet;
+    const std::size_t begin = sorted->face_begin[face] + (packet - packet_begin_[face]) * packet_size_;
     const std::size_t face_end = face == face_count ? sorted->order.size() : sorted->face_begin[face + 1];
-    return {.begin = begin, .end = std::min(begin + rays_per_packet, face_end), .axes = axes_of_face(face)};
+    return {.begin = begin, .end = std::min(begin + packet_size_, face_end), .axes = axes_of_face(face)};
 }
 
 HWY_EXPORT(closest_in_packets);

@@ -3,6 +3,7 @@
 
 #include "traversal/grid_scene.h"
 #include "traversal/packet.h"
+#include "traversal/packet_options.h"
 #include "traversal/ray_sort.h"
 #include "traversal/resumed_rays.h"
 #include "traversal/tracer.h"
@@ -12,12 +13,13 @@
 
 namespace gridreel::traversal {
 
-/// A batch with a common origin, cut into packets of up to `rays_per_packet`.
+/// A batch with a common origin, cut into packets.
 class PacketSource {
 public:
     /// @param begun        with `batch`
     /// @param sorted_rays  of `batch`; nullptr: packets are cut in the batch's own order
-    PacketSource(const RayBatch& batch, const ResumedRays& begun, const SortedRays* sorted_rays);
+    PacketSource(const RayBatch& batch, const ResumedRays& begun, const SortedRays* sorted_rays,
+                 const PacketOptions& options = {});
 
     [[nodiscard]] std::size_t packet_count() const { return packet_begin_.back(); }
 
@@ -33,6 +35,7 @@ public:
     [[nodiscard]] Cut cut(std::size_t packet) const;
 
 private:
+    std::size_t packet_size_;                                 ///< rays, at most `rays_per_packet`
     std::array<std::size_t, face_count + 2> packet_begin_{};  ///< of each face, and of the dead
 };
 

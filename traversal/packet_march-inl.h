@@ -86,7 +86,7 @@ public:
         // cells.
         const rebuild::Bounds3& box = scene_.grid.top().bounds;
         corner_error_ = farthest_offset(box, packet_.origin) * 0x1p-23;
-        candidates_.clear();
+        candidates_.clear(scene_.packets.mailbox);
         walk_alone(top, packet_.all_blocks(), 0);
         return given_up_;
     }
@@ -130,18 +130,18 @@ private:
     void walk(const Stage& at, BlockMask& active, Frustum& frustum, int slice) {
         slice = std::max(slice, first_slice(at, frustum));
         bool entered = false;
+        int occupied_until = 0;
         for (; slice < at.slices && active != 0; ++slice) {
+            if (at.depth == 0 && scene_.macrocells != nullptr && slice >= occupied_until) {
+                slice = first_occupied(at, frustum, slice, occupied_until);
+                if (slice >= at.slices) break;
+            }
             // A hit in an earlier slice is final, one in this or a later slice is not yet.
             const double from = std::max(double(frustum.near_depth), at.first_plane + slice * at.slice_depth);
             const double to = at.first_plane + (slice + 1) * at.slice_depth;
             if (from > double(frustum.far_depth) * (1.0 + depth_error)) break;
 
-            const Interval u = reach(double(frustum.centre_u) - double(frustum.half_u),
-                                     double(frustum.centre_u) + double(frustum.half_u), from, to)
-                                   .widened(corner_error_);
-            const Interval v = reach(double(frustum.centre_v) - double(frustum.half_v),
-                                     double(frustum.centre_v) + double(frustum.half_v), from, to)
-                                   .widened(corner_error_);
+            const auto [u, v] = span_between(frustum, from, to);
             if (u.high < at.u.low || u.low > at.u.high || v.high < at.v.low || v.low > at.v.high) {
                 if (entered) break;  // a frustum and a box are convex: it does not come back
                 continue;
@@ -162,6 +162,43 @@ private:
             collect(at, slice, cells, active, frustum);
             if (candidates_.size() >= worth_a_pass) flush(active, frustum);
         }
+    }
+
+    struct Span {
+        Interval u, v;
+    };
+    /// Where the frustum's rays can be between two depths.
+    [[nodiscard]] Span span_between(const Frustum& frustum, double from, double to) const {
+        return {.u = reach(double(frustum.centre_u) - double(frustum.half_u),
+                           double(frustum.centre_u) + double(frustum.half_u), from, to)
+                         .widened(corner_error_),
+                .v = reach(double(frustum.centre_v) - double(frustum.half_v),
+                           double(frustum.centre_v) + double(frustum.half_v), from, to)
+                         .widened(corner_error_)};
+    }
+
+    /// The first slice from `slice` on whose macrocells hold anything that the frustum can reach, or one that
+    /// lies behind what it can reach.
+    /// @param until  becomes the slice behind those macrocells
+    [[nodiscard]] int first_occupied(const Stage& at, const Frustum& frustum, int slice, int& until) const {
+        const auto layer_of = [&](int s) { return packet_.axes.negative ? at.slices - 1 - s : s; };
+        for (; slice < at.slices; slice = until) {
+            const int layer = layer_of(slice);
+            const int cube_begin = layer / rebuild::Macrocells::side * rebuild::Macrocells::side;
+            const int cube_last = std::min(cube_begin + rebuild::Macrocells::side, at.slices) - 1;
+            until = layer_of(packet_.axes.negative ? cube_begin : cube_last) + 1;
+            const double from = std::max(double(frustum.near_depth), at.first_plane + slice * at.slice_depth);
+            if (from > double(frustum.far_depth) * (1.0 + depth_error)) return slice;
+            const Span across = span_between(frustum, from, at.first_plane + until * at.slice_depth);
+            glm::ivec3 first, last;
+            first[packet_.axes.k] = last[packet_.axes.k] = layer;
+            first[packet_.axes.u()] = at.u.cell(across.u.low);
+            last[packet_.axes.u()] = at.u.cell(across.u.high);
+            first[packet_.axes.v()] = at.v.cell(across.v.low);
+            last[packet_.axes.v()] = at.v.cell(across.v.high);
+            if (scene_.macrocells->any_in(first, last)) return slice;
+        }
+        return slice;
     }
 
     /// The cells of a slice that the frustum overlaps, both ends included.

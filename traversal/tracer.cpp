@@ -40,7 +40,7 @@ std::unique_ptr<Tracer> make_tracer(const TracerOptions& options) {
     using Traversal = GridTracer::Traversal;
     switch (options.kind) {
         case TracerKind::grid:
-            return std::make_unique<GridTracer>(options.resolution, Traversal::coherent);
+            return std::make_unique<GridTracer>(options.resolution, Traversal::coherent, options.packets);
         case TracerKind::grid_single:
             return std::make_unique<GridTracer>(options.resolution, Traversal::one_by_one);
         case TracerKind::naive:

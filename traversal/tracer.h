@@ -4,6 +4,7 @@
 #include "rebuild/build_report.h"
 #include "rebuild/resolution.h"
 #include "rebuild/triangle_view.h"
+#include "traversal/packet_options.h"
 #include "traversal/ray_batch.h"
 
 #include <cstddef>
@@ -84,6 +85,7 @@ struct EmbreeOptions {
 struct TracerOptions {
     TracerKind kind = TracerKind::grid;
     rebuild::ResolutionPolicy resolution;  ///< of the grids
+    PacketOptions packets{};               ///< of the coherent grid
     EmbreeOptions embree{};
 };
 
