@@ -1,7 +1,7 @@
 #include "rebuild/grid_builder.h"
 
 #include "rebuild/cell_mapping.h"
-#include "rebuild/cell_range_kernel.h"
+#include "rebuild/reference_kernel.h"
 
 #include <glm/geometric.hpp>
 
