@@ -22,6 +22,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t references_per_triangle_limit = 64;
 
+/// Cells are numbered in 32 bits.
+constexpr std::int64_t most_cells = std::int64_t{1} << 31;
+
 /// A nested grid that needs more is not worth its memory: its triangles lie across each other, and finer
 /// cells would not part them. A mere surface needs references in proportion to its area in cells:
 /// lambda^(2/3).
@@ -100,6 +103,7 @@ Bounds3 box_of_cell(const UniformGrid& grid, std::size_t cell) {
 
 GridBuilder::GridBuilder(const ResolutionPolicy& policy) : policy_(policy) {
     (void)choose_resolution({}, 0, policy);  // throws on a bad policy now, not frames later
+    policy_.max_cells = std::min(policy.max_cells, most_cells);
 }
 
 BuildReport GridBuilder::rebuild(const TriangleView& triangles) {

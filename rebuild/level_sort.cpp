@@ -1,5 +1,7 @@
 #include "rebuild/level_sort.h"
 
+#include <hwy/cache_control.h>
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -13,6 +15,7 @@ namespace {
 constexpr std::size_t chunk_limit = 16;               // private histograms cost chunks * cells
 constexpr std::size_t triangles_per_chunk = 1 << 13;  // fewer are not worth a histogram
 constexpr std::size_t cells_per_piece = 1 << 13;
+constexpr std::size_t prefetch_distance = 16;  // references; about what waiting for a cache costs
 
 /// The k-th of `parts` equal parts of `count` things begins here.
 std::size_t part_begin(std::size_t count, std::size_t k, std::size_t parts) {
@@ -159,6 +162,8 @@ void LevelSort::scatter(std::span<const GridJob> jobs, GridLevel& level) {
         std::uint32_t* const next = histograms_.data() + chunk.histogram;
         std::uint32_t* const references = level.references.data();
         for (std::size_t i = 0; i < chunk.references; ++i) {
+            const std::size_t ahead = std::min<std::size_t>(i + prefetch_distance, chunk.references - 1);
+            hwy::Prefetch(references + next[found.cells[ahead]]);
             references[next[found.cells[i]]++] = found.triangles[i];
         }
     });

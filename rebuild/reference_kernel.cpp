@@ -9,6 +9,8 @@
 #include "rebuild/read_position-inl.h"
 #include "rebuild/triangle_slabs-inl.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::rebuild {
 namespace HWY_NAMESPACE {
@@ -53,53 +55,49 @@ Bounds3 bounds_of(const TriangleView& view, const TriangleList& list, std::size_
     return {.min = {lows[0], lows[1], lows[2]}, .max = {highs[0], highs[1], highs[2]}};
 }
 
-/// Appends the cells of whole boxes.
-class BoxLister {
-public:
-    explicit BoxLister(const CellStrides& strides) : strides_(strides) {}
+/// Whether the box has at most 4 x 2 x 2 cells.
+HWY_INLINE bool is_small(const LaneRange& range) {
+    return range.others[0] <= 3 && (range.others[1] | range.others[2]) <= 1;
+}
 
-    /// Up to 4 x 2 x 2 cells, without a branch: how many cells a triangle has is anybody's guess.
-    /// A row that is not there is overwritten by the next.
-    HWY_INLINE void list_small(const LaneRange& range, ReferenceWriter& out) const {
-        const std::size_t x = range.across(0), y = range.across(1), z = range.across(2);
-        const std::uint32_t row = strides_.of(1), layer = strides_.of(2);
-        const std::uint32_t corner = strides_.cell(range.first);
-        std::size_t at = 0;
-        put_row(out, at, corner);
-        put_row(out, at += x, corner + row);
-        put_row(out, at += x * (y - 1), corner + layer);
-        put_row(out, at += x * (z - 1), corner + row + layer);
-        out.advance(x * y * z);
-    }
+HWY_INLINE void put_row(std::uint32_t first_cell, std::uint32_t* cells) {
+    const hn::FixedTag<std::uint32_t, 4> d;
+    hn::StoreU(hn::Add(hn::Iota(d, 0), hn::Set(d, first_cell)), d, cells);
+}
 
-    void list(const LaneRange& range, ReferenceWriter& out) const {
-        const std::uint32_t corner = strides_.cell(range.first);
-        for (std::size_t z = 0; z < range.across(2); ++z) {
-            for (std::size_t y = 0; y < range.across(1); ++y) {
-                const std::uint32_t row = corner + static_cast<std::uint32_t>(z) * strides_.of(2) +
-                                          static_cast<std::uint32_t>(y) * strides_.of(1);
-                for (std::size_t x = 0; x < range.across(0); x += 4) {
-                    put_row(out, 0, row + static_cast<std::uint32_t>(x));
-                    out.advance(std::min<std::size_t>(4, range.across(0) - x));
-                }
+/// Appends the cells of a small box without a branch: how many there are is anybody's guess. A row that is
+/// not there is overwritten by the next.
+HWY_INLINE void list_small_box(const LaneRange& range, const CellStrides& strides, ReferenceWriter& out) {
+    const std::uint32_t row = strides.of(1), layer = strides.of(2);
+    const std::uint32_t corner = strides.cell(range.first);
+    const std::size_t x = range.across(0);
+    const std::size_t slice = x << range.others[1];
+    std::uint32_t* const cells = out.next();
+    put_row(corner, cells);
+    put_row(corner + row, cells + x);
+    put_row(corner + layer, cells + slice);
+    put_row(corner + layer + row, cells + slice + x * range.others[2]);
+    out.advance(slice << range.others[2]);
+}
+
+/// Appends all cells of a box.
+void list_box(const LaneRange& range, const CellStrides& strides, ReferenceWriter& out) {
+    for (std::uint32_t z = 0; z <= range.others[2]; ++z) {
+        for (std::uint32_t y = 0; y <= range.others[1]; ++y) {
+            const std::uint32_t row = strides.cell(range.first) + z * strides.of(2) + y * strides.of(1);
+            for (std::uint32_t x = 0; x <= range.others[0]; x += 4) {
+                put_row(row + x, out.next());
+                out.advance(std::min<std::uint32_t>(4, range.others[0] - x + 1));
             }
         }
     }
-
-private:
-    static HWY_INLINE void put_row(ReferenceWriter& out, std::size_t at, std::uint32_t first_cell) {
-        const hn::RebindToUnsigned<FourTag> du;
-        out.put(du, at, hn::Iota(du, first_cell));
-    }
-
-    const CellStrides& strides_;
-};
+}
 
 std::uint64_t find_references(const TriangleView& view, const TriangleList& list, std::size_t begin,
                               std::size_t end, const CellMapping& mapping, const ReferenceRoom& room,
                               std::uint64_t limit) {
     const FourTag d;
-    const hn::RebindToSigned<FourTag> di;
+    const hn::RebindToUnsigned<FourTag> du;
     const PositionReader points(view.positions);
     const auto in_lanes = [&](const glm::vec3& v) {
         HWY_ALIGN const float lanes[4] = {v.x, v.y, v.z, 0.0f};
@@ -111,30 +109,30 @@ std::uint64_t find_references(const TriangleView& view, const TriangleList& list
     const Four last = in_lanes(mapping.last_cell());
     const Four zero = hn::Zero(d);
     const CellStrides strides(mapping.resolution());
-    const BoxLister boxes(strides);
     const SlabLister slabs(strides, mapping.slack_cells());
     const auto in_cells = [&](Four point) { return hn::Mul(hn::Sub(point, origin), scale); };
-    const auto held = [&](Four cells) { return hn::ConvertTo(di, hn::Min(hn::Max(cells, zero), last)); };
+    const auto held = [&](Four cells) {
+        return small_whole(d, hn::Floor(hn::Min(hn::Max(cells, zero), last)));
+    };
 
     ReferenceWriter out(room);
     for (std::size_t i = begin; i < end; ++i) {
         const std::uint32_t index = list[i];
         const LaneTriangle triangle = read_triangle(points, view.triangles[index]);
         if (HWY_UNLIKELY(!triangle.traceable())) continue;
+        const auto first_cell = held(hn::Sub(in_cells(triangle.min()), slack));
+        const auto last_cell = held(hn::Add(in_cells(triangle.max()), slack));
         LaneRange range;
-        hn::Store(held(hn::Sub(in_cells(triangle.min()), slack)), di, range.first);
-        hn::Store(held(hn::Add(in_cells(triangle.max()), slack)), di, range.last);
+        hn::Store(first_cell, du, range.first);
+        hn::Store(hn::Sub(last_cell, first_cell), du, range.others);
 
         const std::size_t before = out.count();
-        if (HWY_LIKELY(range.across(0) <= 4 && range.across(1) <= 2 && range.across(2) <= 2)) {
-            boxes.list_small(range, out);
+        if (HWY_LIKELY(is_small(range))) {
+            list_small_box(range, strides, out);
         } else {
-            CellTriangle corners;
-            hn::Store(in_cells(triangle.a), d, corners.point[0]);
-            hn::Store(in_cells(triangle.b), d, corners.point[1]);
-            hn::Store(in_cells(triangle.c), d, corners.point[2]);
+            const CellTriangle corners(in_cells(triangle.a), in_cells(triangle.b), in_cells(triangle.c));
             const std::size_t cells = range.across(0) * range.across(1) * range.across(2);
-            if (cells <= few_cells || !slabs.list(corners, range, out)) boxes.list(range, out);
+            if (cells <= few_cells || !slabs.list(corners, range, out)) list_box(range, strides, out);
         }
         out.name_triangle(before, index);
         if (HWY_UNLIKELY(out.count() > limit)) break;

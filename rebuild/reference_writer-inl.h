@@ -13,6 +13,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -22,13 +23,21 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A box of cells, both ends included; the fourth lane means nothing.
+/// Whole numbers in [0, 2^22] as integers: `ConvertTo` would take care of larger ones, for twice the price.
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> small_whole(D d, hn::Vec<D> number) {
+    const hn::RebindToUnsigned<D> du;
+    constexpr float bias = 0x1p23f;  // from here on a float's last bit counts ones
+    return hn::And(hn::BitCast(du, hn::Add(number, hn::Set(d, bias))), hn::Set(du, (1u << 23) - 1u));
+}
+
+/// A box of cells; the fourth lane means nothing.
 struct LaneRange {
-    HWY_ALIGN std::int32_t first[4];
-    HWY_ALIGN std::int32_t last[4];
+    HWY_ALIGN std::uint32_t first[4];
+    HWY_ALIGN std::uint32_t others[4];  ///< how many follow the first along each axis
 
     [[nodiscard]] HWY_INLINE std::size_t across(std::size_t axis) const {
-        return static_cast<std::size_t>(last[axis] - first[axis]) + 1;
+        return std::size_t{1} + others[axis];
     }
 };
 
@@ -40,9 +49,8 @@ public:
                   static_cast<std::uint32_t>(resolution.x) * static_cast<std::uint32_t>(resolution.y)} {}
 
     [[nodiscard]] HWY_INLINE std::uint32_t of(std::size_t axis) const { return stride_[axis]; }
-    [[nodiscard]] HWY_INLINE std::uint32_t cell(const std::int32_t* at) const {
-        return static_cast<std::uint32_t>(at[0]) + static_cast<std::uint32_t>(at[1]) * stride_[1] +
-               static_cast<std::uint32_t>(at[2]) * stride_[2];
+    [[nodiscard]] HWY_INLINE std::uint32_t cell(const std::uint32_t* at) const {
+        return at[0] + at[1] * stride_[1] + at[2] * stride_[2];
     }
 
 private:
@@ -57,10 +65,9 @@ public:
     /// References so far: all are written if this is at most `capacity`.
     [[nodiscard]] HWY_INLINE std::size_t count() const { return count_; }
 
-    /// Writes a register of cells, at most 16 behind the references so far; `advance` says what counts.
-    template <class D>
-    HWY_INLINE void put(D d, std::size_t behind, hn::Vec<D> cells) {
-        if (HWY_LIKELY(count_ <= room_.capacity)) hn::StoreU(cells, d, room_.cells + count_ + behind);
+    /// Where to write the next cells, `ReferenceRoom::padding` of them whatever there is room for.
+    [[nodiscard]] HWY_INLINE std::uint32_t* next() const {
+        return room_.cells + std::min(count_, room_.capacity);
     }
     HWY_INLINE void advance(std::size_t references) { count_ += references; }
 
@@ -70,10 +77,11 @@ public:
         const hn::FixedTag<std::uint32_t, 4> d;
         const auto name = hn::Set(d, triangle);
         std::size_t k = begin;
-        do {
-            hn::StoreU(name, d, room_.triangles + k);
-            hn::StoreU(name, d, room_.triangles + k + 4);
-            k += 8;
+        do {  // seldom more than once
+            for (std::size_t i = 0; i < ReferenceRoom::padding; i += 4) {
+                hn::StoreU(name, d, room_.triangles + k + i);
+            }
+            k += ReferenceRoom::padding;
         } while (HWY_UNLIKELY(k < count_));
     }
 

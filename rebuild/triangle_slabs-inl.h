@@ -12,6 +12,7 @@
 #define GRIDREEL_REBUILD_TRIANGLE_SLABS_INL_H_
 #endif
 
+#include "rebuild/read_position-inl.h"
 #include "rebuild/reference_writer-inl.h"
 
 #include <hwy/highway.h>
@@ -30,6 +31,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Corners in units of cells from the grid's corner; the fourth lane means nothing.
 struct CellTriangle {
     HWY_ALIGN float point[3][4];
+    HWY_ALIGN float farthest[4];  ///< largest magnitude along each axis
+
+    HWY_INLINE CellTriangle(Four a, Four b, Four c) {
+        const FourTag d;
+        hn::Store(a, d, point[0]);
+        hn::Store(b, d, point[1]);
+        hn::Store(c, d, point[2]);
+        hn::Store(hn::Max(hn::Abs(a), hn::Max(hn::Abs(b), hn::Abs(c))), d, farthest);
+    }
 };
 
 class SlabLister {
@@ -42,42 +52,38 @@ public:
     /// others.
     /// @return false, and nothing appended, if single precision cannot tell
     bool list(const CellTriangle& triangle, const LaneRange& range, ReferenceWriter& out) const {
-        float farthest = 0.0f;
-        for (const auto& point : triangle.point) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                farthest = std::max(farthest, std::fabs(point[axis]));
-            }
-        }
+        const float farthest = std::max({triangle.farthest[0], triangle.farthest[1], triangle.farthest[2]});
         if (!(farthest < farthest_in_cells)) return false;
         // Corners are off by less than 2^-22 of their size, and what follows adds no more than that. Widening
         // slabs by three times the error of their corners keeps even the steepest edge's share of them.
         const float error = farthest * 0x1p-19f;
 
-        const std::size_t k = range.across(0) >= range.across(1)
-                                  ? (range.across(0) >= range.across(2) ? 0 : 2)
-                                  : (range.across(1) >= range.across(2) ? 1 : 2);
-        const std::size_t u = k == 0 ? 1 : 0;
-        const std::size_t v = k == 2 ? 1 : 2;
-        const float *low = triangle.point[0], *middle = triangle.point[1], *high = triangle.point[2];
-        const auto sort = [k](const float*& a, const float*& b) {
-            const bool swap = b[k] < a[k];
-            const float* const less = swap ? b : a;
-            b = swap ? a : b;
-            a = less;
-        };
-        sort(low, middle);
-        sort(middle, high);
-        sort(low, middle);
+        // Nobody guesses the longest axis or the order of corners: no branches.
+        const std::size_t longer = range.others[1] > range.others[0];
+        const std::size_t third = range.others[2] > range.others[longer];
+        const std::size_t k = longer + third * (2 - longer);
+        const std::size_t u = k == 0;
+        const std::size_t v = 2 - std::size_t{k == 2};
+        const float* by_rank[3];
+        const float at_k[3] = {triangle.point[0][k], triangle.point[1][k], triangle.point[2][k]};
+        const int b_first = at_k[1] < at_k[0], c_before_a = at_k[2] < at_k[0], c_before_b = at_k[2] < at_k[1];
+        by_rank[b_first + c_before_a] = triangle.point[0];
+        by_rank[1 - b_first + c_before_b] = triangle.point[1];
+        by_rank[2 - c_before_a - c_before_b] = triangle.point[2];
+        const float *const low = by_rank[0], *const middle = by_rank[1], *const high = by_rank[2];
         const Edge whole(low, high, k, u, v), lower(low, middle, k, u, v), upper(middle, high, k, u, v);
 
-        const Across across_u{.first = range.first[u], .last = range.last[u], .slack = slack_[u] + error};
-        const Across across_v{.first = range.first[v], .last = range.last[v], .slack = slack_[v] + error};
-        const Lane slack = hn::Set(d, slack_[k] + error);
+        const auto across = [&](std::size_t axis) {
+            return Across{.first = static_cast<float>(range.first[axis]),
+                          .last = static_cast<float>(range.first[axis] + range.others[axis]),
+                          .slack = slack_[axis] + error};
+        };
+        const Across across_k = across(k), across_u = across(u), across_v = across(v);
+        const Lane slack = hn::Set(d, across_k.slack);
         const Lane bend_k = hn::Set(d, middle[k]), bend_u = hn::Set(d, middle[u]),
                    bend_v = hn::Set(d, middle[v]);
-        for (std::int32_t slab = range.first[k]; slab <= range.last[k];
-             slab += static_cast<std::int32_t>(hn::Lanes(d))) {
-            const Lane number = hn::Iota(d, static_cast<float>(slab));
+        for (float slab = across_k.first; slab <= across_k.last; slab += static_cast<float>(hn::Lanes(d))) {
+            const Lane number = hn::Add(hn::Iota(d, 0.0f), hn::Set(d, slab));
             const Lane enter = hn::Sub(number, slack);
             const Lane leave = hn::Add(hn::Add(number, hn::Set(d, 1.0f)), slack);
 
@@ -91,14 +97,15 @@ public:
 
             const LaneSpan in_u = span(across_u, extents.min_u, extents.max_u);
             const LaneSpan in_v = span(across_v, extents.min_v, extents.max_v);
-            const auto there = hn::Le(number, hn::Set(d, static_cast<float>(range.last[k])));
-            append(hn::And(there, hn::And(in_u.there, in_v.there)), slab, {k, u, v}, in_u, in_v, out);
+            const auto slabs = hn::Le(number, hn::Set(d, across_k.last));
+            append(slabs, number, {k, u, v}, in_u, in_v, out);
         }
         return true;
     }
 
 private:
-    using Tag = hn::CappedTag<float, ReferenceRoom::padding>;
+    /// More lanes would idle: few triangles cross more slabs.
+    using Tag = hn::CappedTag<float, 8>;
     using Lane = hn::Vec<Tag>;  ///< one slab a lane
     using LaneMask = hn::Mask<Tag>;
     using CellTag = hn::RebindToUnsigned<Tag>;
@@ -159,29 +166,23 @@ private:
                      {pick(lower.to_u, upper.to_u), pick(lower.to_v, upper.to_v)});
     }
 
-    /// The box's cells along U or V.
+    /// The box's cells along one axis.
     struct Across {
-        std::int32_t first, last;
-        float slack;
+        float first, last, slack;
     };
 
-    /// Cells of each slab along U or V.
+    /// Cells of each slab along U or V, whole numbers.
     struct LaneSpan {
-        CellLane first, count;
-        LaneMask there;
+        Lane first;
+        Lane others;  ///< how many follow the first; negative: not even that
     };
 
     static HWY_INLINE LaneSpan span(const Across& across, Lane min, Lane max) {
-        const hn::RebindToSigned<Tag> di;
-        const Lane first = hn::Set(d, static_cast<float>(across.first));
-        const Lane last = hn::Set(d, static_cast<float>(across.last));
-        const Lane low = hn::Sub(min, hn::Set(d, across.slack));
-        const Lane high = hn::Add(max, hn::Set(d, across.slack));
-        const auto first_cell = hn::ConvertTo(di, hn::Min(hn::Max(low, first), last));
-        const auto last_cell = hn::ConvertTo(di, hn::Min(hn::Max(high, first), last));
-        return {.first = hn::BitCast(du, first_cell),
-                .count = hn::BitCast(du, hn::Add(hn::Sub(last_cell, first_cell), hn::Set(di, 1))),
-                .there = hn::And(hn::Ge(high, first), hn::Lt(low, hn::Add(last, hn::Set(d, 1.0f))))};
+        const Lane slack = hn::Set(d, across.slack);
+        const Lane low = hn::Max(hn::Sub(min, slack), hn::Set(d, across.first));
+        const Lane high = hn::Min(hn::Add(max, slack), hn::Set(d, across.last));
+        const Lane first = hn::Floor(low);
+        return {.first = first, .others = hn::Sub(hn::Floor(high), first)};
     }
 
     struct Axes {
@@ -189,26 +190,43 @@ private:
     };
 
     /// One cell of every slab at a time.
-    HWY_INLINE void append(LaneMask there, std::int32_t slab, const Axes& axes, const LaneSpan& in_u,
-                           const LaneSpan& in_v, ReferenceWriter& out) const {
+    HWY_INLINE void append(LaneMask slabs, Lane number, const Axes& axes, const LaneSpan& in_u,
+                           const LaneSpan& in_v, ReferenceWriter& to) const {
         const auto stride = [&](std::size_t axis) { return hn::Set(du, strides_.of(axis)); };
-        const auto slabs = hn::RebindMask(du, there);
-        CellLane row =
-            hn::Add(hn::Mul(hn::Iota(du, static_cast<std::uint32_t>(slab)), stride(axes.k)),
-                    hn::Add(hn::Mul(in_u.first, stride(axes.u)), hn::Mul(in_v.first, stride(axes.v))));
-        for (std::uint32_t j = 0;; ++j) {
-            const auto in_row = hn::And(slabs, hn::Gt(in_v.count, hn::Set(du, j)));
-            if (hn::AllFalse(du, in_row)) break;
-            CellLane cells = row;
-            for (std::uint32_t i = 0;; ++i) {
-                const auto in_cell = hn::And(in_row, hn::Gt(in_u.count, hn::Set(du, i)));
-                if (hn::AllFalse(du, in_cell)) break;
-                out.put(du, 0, hn::Compress(cells, in_cell));
-                out.advance(hn::CountTrue(du, in_cell));
-                cells = hn::Add(cells, stride(axes.u));
+        const CellLane step_u = stride(axes.u), step_v = stride(axes.v);
+        const CellLane layer = hn::Mul(small_whole(d, number), stride(axes.k));
+        CellLane row = hn::Add(layer, hn::Add(hn::Mul(small_whole(d, in_u.first), step_u),
+                                              hn::Mul(small_whole(d, in_v.first), step_v)));
+        ReferenceWriter out = to;  // a copy stays in registers
+        const auto take = [&](LaneMask some, CellLane cells) {
+            hn::StoreU(hn::Compress(cells, hn::RebindMask(du, some)), du, out.next());
+            out.advance(hn::CountTrue(d, some));
+        };
+        const auto reach_u = [&](float i) { return hn::Ge(in_u.others, hn::Set(d, i)); };
+        const auto reach_v = [&](float j) { return hn::And(slabs, hn::Ge(in_v.others, hn::Set(d, j))); };
+        const auto first_row = reach_v(0.0f), second_row = reach_v(1.0f);
+        if (HWY_LIKELY(hn::AllTrue(d, hn::Lt(hn::Max(in_u.others, in_v.others), hn::Set(d, 2.0f))))) {
+            // Needles: no loop whose length has to be guessed.
+            const auto first = reach_u(0.0f), second = reach_u(1.0f);
+            take(hn::And(first_row, first), row);
+            take(hn::And(first_row, second), hn::Add(row, step_u));
+            take(hn::And(second_row, first), hn::Add(row, step_v));
+            take(hn::And(second_row, second), hn::Add(hn::Add(row, step_u), step_v));
+        } else {
+            for (float j = 0.0f;; ++j) {
+                const auto in_row = reach_v(j);
+                if (hn::AllFalse(d, in_row)) break;
+                CellLane cells = row;
+                for (float i = 0.0f;; ++i) {
+                    const auto in_cell = hn::And(in_row, reach_u(i));
+                    if (hn::AllFalse(d, in_cell)) break;
+                    take(in_cell, cells);
+                    cells = hn::Add(cells, step_u);
+                }
+                row = hn::Add(row, step_v);
             }
-            row = hn::Add(row, stride(axes.v));
         }
+        to = out;
     }
 
     const CellStrides& strides_;
