@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 
 /// Boxes of up to so many cells list their triangle in all of them: looking closer would cost more than it
 /// saves.
-constexpr std::size_t few_cells = 8;
+constexpr std::size_t few_cells = 16;
 
 struct LaneTriangle {
     Four a, b, c;
