@@ -16,8 +16,8 @@ namespace gridreel::rebuild {
 /// Where one grid's cells lie, in the world and among the cells of its level. Cells are numbered x fastest,
 /// so neighbours along x are one contiguous span of references.
 ///
-/// A triangle is listed in every cell its bounding box comes within `slack` of, so whoever walks the grid
-/// may be wrong by that much about where a point lies.
+/// A triangle is listed in every cell that some point of it comes within `slack` of, so whoever walks the
+/// grid may be wrong by that much about where a point lies; and in no cell that its bounding box does not.
 struct UniformGrid {
     Bounds3 bounds;             ///< padded; empty: no cells
     glm::ivec3 resolution{0};   ///< cells per axis

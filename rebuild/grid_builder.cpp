@@ -1,7 +1,7 @@
 #include "rebuild/grid_builder.h"
 
 #include "rebuild/cell_mapping.h"
-#include "rebuild/cell_range_kernel.h"
+#include "rebuild/reference_kernel.h"
 
 #include <glm/geometric.hpp>
 
@@ -21,6 +21,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t references_per_triangle_limit = 64;
+
+/// Cells are numbered in 32 bits.
+constexpr std::int64_t most_cells = std::int64_t{1} << 31;
 
 /// A nested grid that needs more is not worth its memory: its triangles lie across each other, and finer
 /// cells would not part them. A mere surface needs references in proportion to its area in cells:
@@ -100,6 +103,7 @@ Bounds3 box_of_cell(const UniformGrid& grid, std::size_t cell) {
 
 GridBuilder::GridBuilder(const ResolutionPolicy& policy) : policy_(policy) {
     (void)choose_resolution({}, 0, policy);  // throws on a bad policy now, not frames later
+    policy_.max_cells = std::min(policy.max_cells, most_cells);
 }
 
 BuildReport GridBuilder::rebuild(const TriangleView& triangles) {

@@ -17,6 +17,7 @@ namespace gridreel::rebuild {
 /// Work runs in the calling thread's TBB arena. The grid is byte-identical for any number of threads.
 class GridBuilder {
 public:
+    /// @param policy  more than 2^31 `max_cells` are taken as so many
     explicit GridBuilder(const ResolutionPolicy& policy = {});
 
     /// Builds the grid of `triangles`, of which there are fewer than 2^31.

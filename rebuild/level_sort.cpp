@@ -1,5 +1,7 @@
 #include "rebuild/level_sort.h"
 
+#include <hwy/cache_control.h>
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -13,6 +15,7 @@ namespace {
 constexpr std::size_t chunk_limit = 16;               // private histograms cost chunks * cells
 constexpr std::size_t triangles_per_chunk = 1 << 13;  // fewer are not worth a histogram
 constexpr std::size_t cells_per_piece = 1 << 13;
+constexpr std::size_t prefetch_distance = 16;  // references; about what waiting for a cache costs
 
 /// The k-th of `parts` equal parts of `count` things begins here.
 std::size_t part_begin(std::size_t count, std::size_t k, std::size_t parts) {
@@ -26,21 +29,25 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
     layouts_.resize(jobs.size());
     chunks_.clear();
     pieces_.clear();
-    std::size_t cells = 0, ranges = 0, histograms = 0;
+    std::size_t cells = 0, references = 0, histograms = 0;
     for (std::size_t j = 0; j < jobs.size(); ++j) {
         UniformGrid& grid = level.grids[j];
         const std::size_t triangles = jobs[j].triangles.count;
         Layout& layout = layouts_[j];
-        layout = {.first_range = ranges,
-                  .first_histogram = histograms,
+        layout = {.first_histogram = histograms,
                   .chunks = std::clamp<std::size_t>(triangles / triangles_per_chunk, 1,
                                                     std::min(threads, chunk_limit))};
         const auto job = static_cast<std::uint32_t>(j);
         for (std::size_t k = 0; k < layout.chunks; ++k) {
-            chunks_.push_back({.job = job,
-                               .begin = part_begin(triangles, k, layout.chunks),
-                               .end = part_begin(triangles, k + 1, layout.chunks),
-                               .histogram = histograms});
+            Chunk chunk{.job = job,
+                        .begin = part_begin(triangles, k, layout.chunks),
+                        .end = part_begin(triangles, k + 1, layout.chunks),
+                        .histogram = histograms,
+                        .first_reference = references};
+            const double room = room_per_triangle_ * double(chunk.end - chunk.begin);
+            chunk.capacity = std::min<std::size_t>(jobs[j].reference_limit, static_cast<std::size_t>(room));
+            chunks_.push_back(chunk);
+            references += chunk.capacity + ReferenceRoom::padding;
             histograms += grid.cell_count();
         }
         grid.first_cell = cells;
@@ -51,28 +58,55 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
                                .end = part_begin(grid.cell_count(), k + 1, pieces)});
         }
         cells += grid.cell_count();
-        ranges += triangles;
     }
-    ranges_.resize(ranges);
+    cells_.resize(references);
+    triangles_.resize(references);
     histograms_.resize(histograms);
     level.cell_begin.resize(cells + 1);
 }
 
+ReferenceRoom LevelSort::room_of(const Chunk& chunk) {
+    return {.cells = cells_.data() + chunk.first_reference,
+            .triangles = triangles_.data() + chunk.first_reference,
+            .capacity = chunk.capacity};
+}
+
+/// Writes down the references of a chunk and counts them, cell by cell.
+void LevelSort::find(const TriangleView& triangles, const GridJob& job, const UniformGrid& grid,
+                     Chunk& chunk) {
+    const ReferenceRoom room = room_of(chunk);
+    chunk.references = find_references(triangles, job.triangles, chunk.begin, chunk.end,
+                                       CellMapping(grid.bounds, grid.resolution, grid.least_slack), room,
+                                       job.reference_limit);
+    if (chunk.references > room.capacity) return;
+    std::uint32_t* const histogram = histograms_.data() + chunk.histogram;
+    std::fill_n(histogram, grid.cell_count(), 0u);
+    for (std::size_t k = 0; k < chunk.references; ++k) ++histogram[room.cells[k]];
+}
+
+/// @return false if some chunk found more references than it had room for: now there will be
+bool LevelSort::make_room(std::span<const GridJob> jobs) {
+    constexpr double spare = 1.25;  // the next frame may need a little more
+    bool enough = true;
+    for (const Chunk& chunk : chunks_) {
+        if (chunk.references <= chunk.capacity || jobs[chunk.job].over_limit()) continue;
+        room_per_triangle_ =
+            std::max(room_per_triangle_, spare * double(chunk.references) / double(chunk.end - chunk.begin));
+        enough = false;
+    }
+    return enough;
+}
+
 void LevelSort::count(const TriangleView& triangles, std::span<GridJob> jobs, GridLevel& level) {
-    lay_out(jobs, level);
-    tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t k) {
-        Chunk& chunk = chunks_[k];
-        const GridJob& job = jobs[chunk.job];
-        const UniformGrid& grid = level.grids[chunk.job];
-        std::uint32_t* const histogram = histograms_.data() + chunk.histogram;
-        std::fill_n(histogram, grid.cell_count(), 0u);
-        chunk.references =
-            count_cells(triangles, job.triangles, chunk.begin, chunk.end,
-                        CellMapping(grid.bounds, grid.resolution, grid.least_slack),
-                        ranges_.data() + layouts_[chunk.job].first_range, histogram, job.reference_limit);
-    });
-    for (GridJob& job : jobs) job.references = 0;
-    for (const Chunk& chunk : chunks_) jobs[chunk.job].references += chunk.references;
+    do {
+        lay_out(jobs, level);
+        tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t k) {
+            const std::uint32_t job = chunks_[k].job;
+            find(triangles, jobs[job], level.grids[job], chunks_[k]);
+        });
+        for (GridJob& job : jobs) job.references = 0;
+        for (const Chunk& chunk : chunks_) jobs[chunk.job].references += chunk.references;
+    } while (!make_room(jobs));
 }
 
 bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
@@ -124,13 +158,13 @@ void LevelSort::scatter(std::span<const GridJob> jobs, GridLevel& level) {
         const Chunk& chunk = chunks_[k];
         const GridJob& job = jobs[chunk.job];
         if (job.dropped) return;
-        const CellRange* ranges = ranges_.data() + layouts_[chunk.job].first_range;
+        const ReferenceRoom found = room_of(chunk);
         std::uint32_t* const next = histograms_.data() + chunk.histogram;
         std::uint32_t* const references = level.references.data();
-        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-            const std::uint32_t triangle = job.triangles[i];
-            for_each_cell(ranges[i], level.grids[chunk.job].resolution,
-                          [&](std::size_t cell) { references[next[cell]++] = triangle; });
+        for (std::size_t i = 0; i < chunk.references; ++i) {
+            const std::size_t ahead = std::min<std::size_t>(i + prefetch_distance, chunk.references - 1);
+            hwy::Prefetch(references + next[found.cells[ahead]]);
+            references[next[found.cells[i]]++] = found.triangles[i];
         }
     });
 }

@@ -2,8 +2,8 @@
 // Triangles into the cells of many grids at once, by a parallel counting sort.
 
 #include "rebuild/cell_mapping.h"
-#include "rebuild/cell_range_kernel.h"
 #include "rebuild/grid.h"
+#include "rebuild/reference_kernel.h"
 #include "rebuild/triangle_view.h"
 
 #include <cstddef>
@@ -32,11 +32,14 @@ struct CrowdedCell {
 /// Fills the grids of one level: `count`, then `scan` and `scatter`. Large grids are cut into chunks of
 /// triangles, each with a histogram of its own; small ones are one chunk. Keeps its memory.
 ///
+/// Each chunk writes down its references as it finds them, since finding them again would cost more than
+/// reading them, and how many a triangle has is not to be guessed by a branch.
+///
 /// Chunks hold ascending triangles and own ascending slots of each cell, so the lists come out the same for
 /// any number of threads.
 class LevelSort {
 public:
-    /// Counts the references of every job.
+    /// Finds and counts the references of every job.
     /// @param level  its `grids` have bounds and resolutions, one per job; gets `first_cell`s and sizes
     void count(const TriangleView& triangles, std::span<GridJob> jobs, GridLevel& level);
 
@@ -49,7 +52,9 @@ public:
     /// Cells of more than `limit` references in the level scattered last, ascending.
     void find_crowded(const GridLevel& level, std::uint32_t limit, std::vector<CrowdedCell>& crowded);
 
-    [[nodiscard]] std::size_t bytes() const { return ranges_.bytes() + histograms_.bytes(); }
+    [[nodiscard]] std::size_t bytes() const {
+        return cells_.bytes() + triangles_.bytes() + histograms_.bytes();
+    }
 
 private:
     /// Some of a job's triangles, and the histogram they are counted in.
@@ -57,7 +62,9 @@ private:
         std::uint32_t job = 0;
         std::size_t begin = 0, end = 0;
         std::size_t histogram = 0;
-        std::uint64_t references = 0;
+        std::size_t first_reference = 0;
+        std::size_t capacity = 0;      ///< references there is room for
+        std::uint64_t references = 0;  ///< found
     };
     /// Some cells of a job's grid.
     struct Piece {
@@ -68,16 +75,20 @@ private:
         std::size_t crowded = 0;  ///< cells, then how many in pieces before it
     };
     struct Layout {
-        std::size_t first_range = 0;  ///< of the job's triangles
         std::size_t first_histogram = 0;
         std::size_t chunks = 0;
     };
     void lay_out(std::span<const GridJob> jobs, GridLevel& level);
+    void find(const TriangleView& triangles, const GridJob& job, const UniformGrid& grid, Chunk& chunk);
+    [[nodiscard]] bool make_room(std::span<const GridJob> jobs);
+    [[nodiscard]] ReferenceRoom room_of(const Chunk& chunk);
 
-    std::vector<Layout> layouts_;  ///< one per job
+    double room_per_triangle_ = 4.0;  ///< references that a chunk has room for, at least; grows on demand
+    std::vector<Layout> layouts_;     ///< one per job
     std::vector<Chunk> chunks_;
     std::vector<Piece> pieces_;
-    Buffer<CellRange> ranges_;          ///< one per triangle of each job
+    Buffer<std::uint32_t> cells_;       ///< of each chunk's references, in the order of its triangles
+    Buffer<std::uint32_t> triangles_;   ///< of the same references
     Buffer<std::uint32_t> histograms_;  ///< of each chunk, one count per cell of its grid
 };
 
