@@ -67,7 +67,8 @@ struct SceneBenchmark {
 /// Measures every frame with every competitor in turn, so that all of them see the same quiet and noisy
 /// moments of the machine; who begins changes from run to run. Every run poses the frame anew, so that each
 /// finds the triangles as fresh in the caches as the others do. Structures are first built at the clip's
-/// start: what is refitted later comes from there.
+/// start: what is refitted later comes from there. Refitting looks at nothing but the tree, which stays, and
+/// where its triangles are now: straight to a frame it ends where it does by way of all frames before it.
 ///
 /// Work runs in arenas of as many threads as asked for: the process must be allowed that many.
 ///

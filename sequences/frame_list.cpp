@@ -36,8 +36,9 @@ bool take(std::string_view& text, char wanted) {
     return true;
 }
 
-/// `first`, `first-last` or `first-lastxstep`; nothing when the item is none of them.
+/// `first`, `first-last`, `first-lastxstep` or `last`; nothing when the item is none of them.
 std::optional<Range> parse_range(std::string_view item) {
+    if (item == "last") return Range{.first = clip_end, .last = clip_end};
     const auto first = take_number(item);
     if (!first) return std::nullopt;
     if (item.empty()) return Range{.first = *first, .last = *first};
@@ -67,7 +68,7 @@ std::vector<Frame> parse_frame_list(std::string_view text) {
         const auto range = parse_range(item);
         if (!range) {
             throw UsageError(fmt::format("'{}' is not a frame or a range of frames", item), "--frames",
-                             "write them as 7, 1-240, 1-240x2, 1,5,10-20 or -5--1");
+                             "write them as 7, 1-240, 1-240x2, 1,5,10-20, -5--1 or last");
         }
         // Counted before it is written out, so that 1-999999999 costs nothing.
         named += range->count();

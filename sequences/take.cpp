@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace gridreel::sequences {
 namespace {
 
@@ -14,14 +16,30 @@ void check_numbered(std::size_t frame_count, const FramePattern& output) {
                      "--output", "add #### or %04d to the file name, or choose one frame with --frames");
 }
 
+UsageError too_long(double duration_s, const FrameRate& rate) {
+    return {fmt::format("the clip lasts {} s, more than {} frames at {} fps", duration_s, max_frames,
+                        to_string(rate)),
+            "--frames", "name the frames to render"};
+}
+
 std::vector<Frame> whole_clip(double duration_s, const FrameRate& rate) {
     const Frame last = last_frame(duration_s, rate);
-    if (last >= static_cast<Frame>(max_frames)) {
-        throw UsageError(fmt::format("the clip lasts {} s, more than {} frames at {} fps", duration_s,
-                                     max_frames, to_string(rate)),
-                         "--frames", "name the frames to render");
-    }
+    if (last >= static_cast<Frame>(max_frames)) throw too_long(duration_s, rate);
     return frame_range(0, last);
+}
+
+/// The list with the clip's last frame in the place of `clip_end`, unless the list has that frame already.
+std::vector<Frame> with_last(std::vector<Frame> frames, double duration_s, const FrameRate& rate) {
+    const auto end = std::find(frames.begin(), frames.end(), clip_end);
+    if (end == frames.end()) return frames;
+    const Frame last = last_frame(duration_s, rate);
+    if (last > max_frame_number) throw too_long(duration_s, rate);
+    if (std::find(frames.begin(), frames.end(), last) == frames.end()) {
+        *end = last;
+    } else {
+        frames.erase(end);
+    }
+    return frames;
 }
 
 }  // namespace
@@ -43,7 +61,8 @@ void check_camera(const anim::Scene& scene, const anim::Clip& clip, std::string_
 }
 
 std::vector<Frame> choose_frames(const Take& take, const anim::Clip& clip, const FramePattern& output) {
-    const std::vector<Frame> frames = take.frames ? *take.frames : whole_clip(clip.duration_s, take.rate);
+    const std::vector<Frame> frames = take.frames ? with_last(*take.frames, clip.duration_s, take.rate)
+                                                  : whole_clip(clip.duration_s, take.rate);
     check_numbered(frames.size(), output);
     return frames;
 }

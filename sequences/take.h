@@ -33,9 +33,9 @@ struct Take {
 /// @throws UsageError
 void check_camera(const anim::Scene& scene, const anim::Clip& clip, std::string_view choice);
 
-/// The frames asked for, or 0 to the clip's last.
+/// The frames asked for, `clip_end` among them being the clip's last, each once; or 0 to the clip's last.
 /// @throws UsageError when there are several and `output` has no place for a number, or when the whole
-///         clip has more than `max_frames`
+///         clip has more than `max_frames`, or its last more than `max_frame_number`
 [[nodiscard]] std::vector<Frame> choose_frames(const Take& take, const anim::Clip& clip,
                                                const FramePattern& output);
 

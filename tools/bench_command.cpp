@@ -83,9 +83,9 @@ void add_comparison_options(CLI::App& app, BenchText& text) {
         ->type_name("LIST")
         ->default_str("auto")
         ->group(group);
-    app.add_option(
-           "--embree-quality", text.embree_qualities,
-           "Embree's hierarchy: low and medium are built every frame, refit once; several: one of each")
+    app.add_option("--embree-quality", text.embree_qualities,
+                   "Embree's hierarchy: low and medium are built every frame, refit at the clip's start; "
+                   "several: each")
         ->check(CLI::IsMember({"low", "medium", "refit"}).description(""))
         ->delimiter(',')
         ->allow_extra_args(false)

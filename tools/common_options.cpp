@@ -57,7 +57,7 @@ void refuse_empty_values(CLI::App& app) {
 
 void add_clip_options(CLI::App& app, TakeText& text, FrameOption frames) {
     if (frames == FrameOption::offered) {
-        app.add_option("-f,--frames", text.frames, "7, 1-240, 1-240x2, 1,5,10-20, -5--1")
+        app.add_option("-f,--frames", text.frames, "7, 1-240, 1-240x2, 1,5,10-20, -5--1, last")
             ->type_name("LIST")
             ->default_str("whole clip")
             ->group("What to play");

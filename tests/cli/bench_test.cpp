@@ -179,6 +179,20 @@ TEST_CASE("bench writes Google Benchmark's shape with raw times and ratios", "[c
     CHECK(std::distance(std::filesystem::directory_iterator(folder / "new"), {}) == 2);
 }
 
+TEST_CASE("bench measures the clip's last frame by name", "[cli][bench]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    const auto runs = [&](const std::string& frames) {
+        std::vector<std::string> arguments = quick_bench({"--json", "out.json"});
+        *(std::find(arguments.begin(), arguments.end(), "-f") + 1) = frames;
+        CHECK(run_gridreel(arguments, {.folder = folder.path()}).exit_code == 0);
+        return find_benchmark(read_json(folder / "out.json"), "tiny/grid/threads:1/frame")["times"].size();
+    };
+    CHECK(runs("0,last") == 6);
+    CHECK(runs("24,last") == 3);  // frame 24 is the last
+    CHECK(run_gridreel({"bench", "tiny.gltf", "-f", "0-last"}, {.folder = folder.path()}).exit_code == 2);
+}
+
 TEST_CASE("bench sweeps lambda, a competitor for each", "[cli][bench]") {
     const ScratchFolder folder;
     write_tiny_scene(folder.path());

@@ -109,6 +109,11 @@ quick_bench_suite_has_no_scene_beyond_200000_triangles() {
     done < "$machine/output"
 }
 
+quick_bench_suite_measures_one_frame_against_the_quickest_builder() {
+    bench_suite --quick
+    expect "--accel grid,embree --embree-quality low --threads 2 --frames 20 --size" "$calls"
+}
+
 bench_suite_measures_all_scenes_in_one_run() {
     assets khronos/Fox.glb bart/kitchen.glb
     bench_suite
@@ -117,14 +122,17 @@ bench_suite_measures_all_scenes_in_one_run() {
     expect "make_gallery crowd $house/../shared/assets/khronos/Fox.glb --count 100" "$calls"
     [[ $(grep -c '^gridreel bench' "$calls") == 1 ]]
     diff <(measured) <("$house/tools/bench-suite" --list | sed -n 's/ [0-9]*$//p')
-    expect "--accel grid,embree --threads 2 --frames 5,20,60 --size 1024x1024 --spp 1 --lights default" "$calls"
+    expect "--accel grid,embree --embree-quality low,medium,refit --threads 2 --frames 5,20,60,last" "$calls"
+    expect "--size 1024x1024 --spp 1 --lights default" "$calls"
     diff <(echo "| a table |") <(grep '^|' "$machine/output")
     expect_none "long figures" "$machine/output"
 }
 
 bench_suite_hands_further_options_to_bench_in_place_of_its_own() {
-    bench_suite --quick --json out.json -f7 --threads=1,2 --repeat 9 -o "$machine/new folder/table.md"
-    expect "--json out.json -f7 --threads=1,2 --repeat 9" "$calls"
+    bench_suite --quick --json out.json -f7 --embree-quality refit --threads=1,2 --repeat 9 \
+        -o "$machine/new folder/table.md"
+    expect "--json out.json -f7 --embree-quality refit --threads=1,2 --repeat 9" "$calls"
+    expect_none "--embree-quality low" "$calls"
     expect_none "--frames" "$calls"
     expect_none "--threads 2" "$calls"
     expect "--spp 1" "$calls"

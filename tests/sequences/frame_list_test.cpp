@@ -18,6 +18,8 @@ TEST_CASE("frame lists read every form that the manual shows", "[frame_list]") {
     CHECK(parse_frame_list("-5--1") == Frames{-5, -4, -3, -2, -1});
     CHECK(parse_frame_list("-2-1") == Frames{-2, -1, 0, 1});
     CHECK(parse_frame_list("3-3") == Frames{3});
+    CHECK(parse_frame_list("last") == Frames{clip_end});
+    CHECK(parse_frame_list("last,0-2,last") == Frames{clip_end, 0, 1, 2});
 }
 
 TEST_CASE("a frame list keeps its order and drops second mentions", "[frame_list]") {
@@ -45,7 +47,11 @@ TEST_CASE("anything else is not a frame list", "[frame_list]") {
                                    "+3",
                                    "1-2-3",
                                    "99999999999999999999",
-                                   "1000000001"}) {
+                                   "1000000001",
+                                   "0-last",
+                                   "lastx2",
+                                   "Last",
+                                   " last"}) {
         INFO(text);
         CHECK_THROWS_AS(parse_frame_list(text), UsageError);
     }

@@ -94,42 +94,6 @@ TEST_CASE("triangles far smaller than their distance are not lost", "[traversal]
     CHECK(missed == 0);
 }
 
-TEST_CASE("no ray escapes from inside a closed mesh", "[traversal][watertight]") {
-    for (const TracerKind kind : {TracerKind::grid, TracerKind::grid_single}) {
-        for (const float scale : {1e-3f, 1.0f, 1e4f}) {
-            const Triangles ball = scaled(sphere(24), scale, glm::vec3{0.7f} * scale);
-            const auto tracer = make_tracer({.kind = kind, .resolution = {}});
-            tracer->rebuild(ball.view());
-            const RayBatch rays = from_point(glm::vec3{0.8f, 0.9f, 0.6f} * scale, 200'000, 32);
-            HitBatch hits;
-            tracer->closest_hits(rays, hits);
-            std::size_t escaped = 0;
-            for (std::size_t i = 0; i < rays.size(); ++i)
-                escaped += hits.triangle[i] == traversal::no_triangle;
-            INFO(name_of(kind) << " at scale " << scale);
-            CHECK(escaped == 0);
-        }
-    }
-}
-
-TEST_CASE("a ray through a shared edge or vertex hits one of its triangles", "[traversal][watertight]") {
-    const Triangles ball = sphere(12);
-    const glm::vec3 eye{0.05f, 0.1f, -0.2f};
-    RayBatch rays;
-    rays.resize(3 * ball.triangles.size(), eye, traversal::RayOrder::arbitrary);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const glm::uvec3& t = ball.triangles[i / 3];
-        const glm::vec3 &a = ball.positions[t.x], &b = ball.positions[t.y];
-        rays.set_direction(i, (i % 3 == 0 ? a : i % 3 == 1 ? 0.5f * (a + b) : a + 0.3f * (b - a)) - eye);
-        rays.t_min[i] = 0.0f;
-        rays.t_max[i] = 1e9f;
-    }
-    const HitBatch hits = naive_hits(ball, rays);
-    std::size_t escaped = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i) escaped += hits.triangle[i] == traversal::no_triangle;
-    CHECK(escaped == 0);
-}
-
 TEST_CASE("a triangle is hit from a hair's breadth above it", "[traversal][reference]") {
     // On which side of its plane such an origin is, single precision cannot tell, all the less if the
     // triangle is a strip that runs away from it.
