@@ -67,7 +67,9 @@ struct SceneBenchmark {
 /// Measures every frame with every competitor in turn, so that all of them see the same quiet and noisy
 /// moments of the machine; who begins changes from run to run. Every run poses the frame anew, so that each
 /// finds the triangles as fresh in the caches as the others do. Structures are first built at the clip's
-/// start: what is refitted later comes from there.
+/// start: what is refitted later comes from there. A λ that is chosen by cost settles in a few runs more of
+/// the first frame, unless there is no warm-up, and keeps to what it learned there where not both phases are
+/// measured.
 ///
 /// Work runs in arenas of as many threads as asked for: the process must be allowed that many.
 ///

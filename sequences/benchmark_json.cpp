@@ -60,6 +60,7 @@ Json entry(const SceneFigures& scene, const CompetitorFigures& competitor, const
     if (!phase.way.empty()) json["rays"] = phase.way;
     if (phase.name == "rebuild") {
         json["triangles"] = {{"moving", scene.moving_triangles}, {"still", scene.still_triangles}};
+        json["lambda"] = competitor.lambda;
         json["grid"] = {competitor.resolution.x, competitor.resolution.y, competitor.resolution.z};
         json["cells"] = competitor.cells;
         json["references"] = competitor.references;

@@ -17,6 +17,7 @@ public:
     GridTracer(const rebuild::ResolutionPolicy& resolution, Traversal traversal);
 
     rebuild::BuildReport rebuild(const rebuild::TriangleView& triangles) override;
+    void set_lambda(float lambda) override { builder_.set_lambda(lambda); }
     TraceReport closest_hits(const RayBatch& rays, HitBatch& hits) override;
     TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) override;
 
