@@ -8,13 +8,12 @@
 namespace gridreel::traversal {
 namespace {
 
-constexpr std::size_t frames_remembered = 24;  ///< for constants and corrections
+constexpr std::size_t frames_remembered = 12;  ///< of each λ
 constexpr std::size_t longest_trust = 128;     ///< frames for which a λ left behind counts as known
 constexpr std::size_t farthest_guess = 2;      ///< rungs
 
-constexpr double worth_a_change = 0.97;  ///< of the current λ's cost
-constexpr double hope =
-    0.8;  ///< of the predicted cost, for a λ that is not known: each promising one is tried
+constexpr double worth_a_change = 0.97;     ///< of the current λ's cost
+constexpr double hope = 0.8;                ///< of the predicted cost, for a λ that is not known
 constexpr double largest_correction = 1.2;  ///< either way: more is noise rather than the model's fault
 
 /// A frame of which only triangles and camera rays are known, at λ = 1: the middle of the suite.
@@ -30,8 +29,8 @@ GridWork typical_work(double triangles, double camera_rays) {
 
 /// The same frame's work with `growth` times as many cells per triangle.
 ///
-/// A triangle as large as a cells is listed in about (1 + a)^2 of them. Packets visit less than as many cells
-/// more as single rays that meet no other packet in them, λ, and more than a straight line, λ^(1/3).
+/// A triangle of a cells' length is listed in about (1 + a)^2 of them, and a grows with λ^(1/3). Single rays
+/// visit λ^(1/3) times as many cells, packets more, since they are wider than cells: on the suite λ^(1/2).
 GridWork extrapolated(GridWork work, double growth) {
     const double per_triangle = work.triangles > 0.0 ? work.references / work.triangles : 0.0;
     const double size = std::sqrt(std::max(1.0, per_triangle)) - 1.0;
@@ -99,23 +98,26 @@ void LambdaChooser::measured(float lambda, const MeasuredFrame& frame) {
     if (step == ladder.end() || !is_sound(frame.work)) return;
     const auto rung = static_cast<std::size_t>(step - ladder.begin());
 
-    for (std::optional<Known>& known : known_) {
-        if (known && ++known->age > longest_trust) known.reset();
+    for (std::size_t other = 0; other < rungs; ++other) {
+        if (!known_[other] || ++known_[other]->age <= longest_trust) continue;
+        known_[other].reset();
+        past_[other].clear();
     }
     if (current_ == rung && known_[rung]) carry_along(known_[rung]->work, frame.work);
     known_[rung] = {.work = frame.work, .age = 0};
     current_ = rung;
 
     if (!is_sound(frame.cost)) return;
-    past_.push_back({.rung = rung, .frame = frame});
-    if (past_.size() > frames_remembered) past_.pop_front();
+    std::deque<MeasuredFrame>& past = past_[rung];
+    past.push_back(frame);
+    if (past.size() > frames_remembered) past.pop_front();
     learn();
 }
 
 /// What changed between two frames of the same λ would have changed with any other.
 void LambdaChooser::carry_along(const GridWork& before, const GridWork& now) {
     const auto carry = [](double& count, double from, double to) {
-        if (from > 0.0) count *= to / from;
+        if (from > 0.0 && to > 0.0) count *= to / from;
     };
     for (std::optional<Known>& known : known_) {
         if (!known) continue;
@@ -130,15 +132,14 @@ void LambdaChooser::carry_along(const GridWork& before, const GridWork& now) {
 
 void LambdaChooser::learn() {
     std::vector<MeasuredFrame> frames;
-    for (const Past& past : past_) frames.push_back(past.frame);
+    for (const auto& past : past_) frames.insert(frames.end(), past.begin(), past.end());
     model_ = GridCostModel(frames);
 
     for (std::size_t rung = 0; rung < rungs; ++rung) {
         std::vector<double> ratios;
-        for (const Past& past : past_) {
-            const double predicted = model_.cost(past.frame.work).frame_ms();
-            if (past.rung == rung && predicted > 0.0)
-                ratios.push_back(past.frame.cost.frame_ms() / predicted);
+        for (const MeasuredFrame& frame : past_[rung]) {
+            const double predicted = model_.cost(frame.work).frame_ms();
+            if (predicted > 0.0) ratios.push_back(frame.cost.frame_ms() / predicted);
         }
         correction_[rung] =
             std::clamp(cautious_median(std::move(ratios)), 1.0 / largest_correction, largest_correction);

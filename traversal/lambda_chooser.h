@@ -20,12 +20,12 @@ struct LambdaChoice {
 
 /// Minimises predicted rebuild + trace, frame by frame.
 ///
-/// Every λ on the ladder is predicted by a `GridCostModel` of the last frames, from the work there was when
+/// Every λ of a ladder is predicted by a `GridCostModel` of the last frames, from the work there was when
 /// that λ was last used, carried along with what has changed since; where it was not used lately, from laws
-/// of how work grows with λ. Work is counted, so it has no noise; where the times at one λ are again and
-/// again off the model, they correct its predictions. Another λ is taken when it promises 3 % less, or when
-/// it is unknown and would have to be only a little better than predicted: so each promising one is tried
-/// once, and left again for long when it was not worth it.
+/// of how work grows with λ. Work is counted, so it has no noise; where times at one λ are off the model
+/// again and again, they correct its predictions. Another λ is taken when it promises 3 % less. One that is
+/// not known is hoped to cost a fifth less than predicted: so each promising one is tried once, and then left
+/// alone for 128 frames if it was not worth it.
 ///
 /// A pure function of what it was told: the measurements of a log give the log's choices again.
 class LambdaChooser {
@@ -50,10 +50,6 @@ private:
         GridWork work;        ///< as it would be in the last frame
         std::size_t age = 0;  ///< frames since it was last used
     };
-    struct Past {
-        std::size_t rung = 0;
-        MeasuredFrame frame;
-    };
 
     void carry_along(const GridWork& before, const GridWork& now);
     void learn();
@@ -63,7 +59,7 @@ private:
     std::uint64_t camera_rays_;
     std::array<std::optional<Known>, rungs> known_;
     std::optional<std::size_t> current_;  ///< rung of the last frame
-    std::deque<Past> past_;
+    std::array<std::deque<MeasuredFrame>, rungs> past_;
     GridCostModel model_;
     std::array<double, rungs> correction_;
 };
