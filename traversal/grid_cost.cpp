@@ -14,9 +14,9 @@ namespace {
 template <std::size_t Count>
 using Terms = std::array<double, Count>;
 
-/// How much the built-in constants weigh against the measurements, in frames: as if times were 15 % off, and
-/// the constants 60 %.
-constexpr double weight_of_built_in = 0.06;
+/// How far off the built-in constants may be, each for itself, and how far off times are at least: shares,
+/// squared.
+constexpr double variance_of_constants = 0.6 * 0.6, least_variance_of_times = 0.15 * 0.15;
 
 // Nanoseconds, least squares over the suite at λ from 1/16 to 16 on one thread. Only how they compare with
 // each other matters after the first frame.
@@ -56,27 +56,15 @@ public:
         rows_.push_back(terms);
     }
 
-    /// Least squares of 1 - predicted / measured, so that no frame, however slow, is more than 1 off, with a
-    /// pull towards the built-in constants (ridge regression), by coordinate descent.
     [[nodiscard]] Terms<Count> factors() const {
         Terms<Count> factors;
         factors.fill(1.0);
         if (rows_.empty()) return factors;
         const double slowness = median_slowness();
-        constexpr int rounds = 64;  // far more than it takes to settle
-        for (int round = 0; round < rounds; ++round) {
-            for (std::size_t i = 0; i < Count; ++i) {
-                double pull = weight_of_built_in, weight = weight_of_built_in;
-                for (const Terms<Count>& row : rows_) {
-                    const double mine = slowness * row[i];
-                    const double others = slowness * dot(row, factors) - mine * factors[i];
-                    pull += mine * (1.0 - others);
-                    weight += mine * mine;
-                }
-                factors[i] = std::max(0.0, pull / weight);
-            }
-        }
-        for (double& factor : factors) factor *= slowness;
+        factors.fill(slowness);
+        // Once to learn how noisy times are: the noisier, the less they say about constants.
+        fit(factors, slowness, least_variance_of_times);
+        fit(factors, slowness, std::max(least_variance_of_times, variance_about(factors)));
         return factors;
     }
 
@@ -86,6 +74,29 @@ private:
         std::vector<double> values;
         for (const Terms<Count>& row : rows_) values.push_back(1.0 / sum(row));
         return median(std::move(values));
+    }
+
+    [[nodiscard]] double variance_about(const Terms<Count>& factors) const {
+        double squares = 0.0;
+        for (const Terms<Count>& row : rows_) squares += std::pow(1.0 - dot(row, factors), 2.0);
+        return squares / double(rows_.size());
+    }
+
+    /// Least squares of 1 - predicted / measured, so that no frame, however slow, is more than 1 off, with a
+    /// pull towards the built-in constants times `slowness` (ridge regression), by coordinate descent.
+    void fit(Terms<Count>& factors, double slowness, double variance) const {
+        constexpr int rounds = 64;  // far more than it takes to settle
+        const double ridge = variance / (variance_of_constants * slowness * slowness);
+        for (int round = 0; round < rounds; ++round) {
+            for (std::size_t i = 0; i < Count; ++i) {
+                double pull = ridge * slowness, weight = ridge;
+                for (const Terms<Count>& row : rows_) {
+                    pull += row[i] * (1.0 - dot(row, factors) + row[i] * factors[i]);
+                    weight += row[i] * row[i];
+                }
+                factors[i] = std::max(0.0, pull / weight);
+            }
+        }
     }
 
     std::vector<Terms<Count>> rows_;  ///< terms as shares of the time measured

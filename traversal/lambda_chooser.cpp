@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace gridreel::traversal {
@@ -62,13 +63,13 @@ bool is_sound(const GridCost& cost) {
            cost.frame_ms() > 0.0;
 }
 
-/// The median of the ratios and of two ones: a single outlier says nothing, and a few say little.
-double cautious_median(std::vector<double> ratios) {
-    ratios.insert(ratios.end(), 2, 1.0);
-    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-    std::nth_element(ratios.begin(), middle, ratios.end());
-    if (ratios.size() % 2 == 1) return *middle;
-    return 0.5 * (*middle + *std::max_element(ratios.begin(), middle));
+/// 1 of nothing.
+double median(std::vector<double> values) {
+    if (values.empty()) return 1.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return *middle;
+    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 }  // namespace
@@ -135,14 +136,22 @@ void LambdaChooser::learn() {
     for (const auto& past : past_) frames.insert(frames.end(), past.begin(), past.end());
     model_ = GridCostModel(frames);
 
+    // Against the usual ratio, which is above 1 where times are noisy: the model heeds the quick frames more.
+    std::array<std::vector<double>, rungs> ratios;
+    std::vector<double> all;
     for (std::size_t rung = 0; rung < rungs; ++rung) {
-        std::vector<double> ratios;
         for (const MeasuredFrame& frame : past_[rung]) {
             const double predicted = model_.cost(frame.work).frame_ms();
-            if (predicted > 0.0) ratios.push_back(frame.cost.frame_ms() / predicted);
+            if (predicted > 0.0) ratios[rung].push_back(frame.cost.frame_ms() / predicted);
         }
+        all.insert(all.end(), ratios[rung].begin(), ratios[rung].end());
+    }
+    const double usual = median(std::move(all));
+    for (std::size_t rung = 0; rung < rungs; ++rung) {
+        for (double& ratio : ratios[rung]) ratio /= usual;
+        ratios[rung].insert(ratios[rung].end(), 2, 1.0);  // one frame says nothing, and a few say little
         correction_[rung] =
-            std::clamp(cautious_median(std::move(ratios)), 1.0 / largest_correction, largest_correction);
+            std::clamp(median(std::move(ratios[rung])), 1.0 / largest_correction, largest_correction);
     }
 }
 
