@@ -29,9 +29,9 @@ Outcome render(const ScratchFolder& folder, const std::string& name, const std::
 
 traversal::MeasuredFrame measured(const json& frame) {
     const auto sum = [](const json& object, std::initializer_list<const char*> names) {
-        double sum = 0.0;
-        for (const char* name : names) sum += object.at(name).get<double>();
-        return sum;
+        double total = 0.0;
+        for (const char* name : names) total += object.at(name).get<double>();
+        return total;
     };
     return {.work = {.triangles = sum(frame["triangles"], {"moving", "still"}),
                      .cells = frame["grid"]["cells_with_nested"],
