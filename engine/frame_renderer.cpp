@@ -7,13 +7,26 @@
 #include "engine/shot.h"
 #include "engine/stopwatch.h"
 #include "engine/textures.h"
+#include "traversal/lambda_chooser.h"
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 
 namespace gridreel::engine {
+namespace {
+
+traversal::MeasuredFrame measured_frame(const FrameReport& report) {
+    traversal::TraceReport traced = report.primary;
+    traced += report.shadow;
+    return traversal::measured_frame(report.moving_triangles + report.still_triangles, report.rebuild, traced,
+                                     report.trace_ms);
+}
+
+}  // namespace
+
 struct FrameRenderer::State {
     State(const anim::Scene& scene_of_file, anim::Clip clip_of_scene, const RenderSettings& wishes)
         : scene(scene_of_file),
@@ -24,6 +37,7 @@ struct FrameRenderer::State {
           geometry(anim::lay_out(scene, clip)),
           cut_outs(has_cut_outs(scene, geometry)),
           tracer(traversal::make_tracer(settings.tracer)),
+          lambda(traversal::make_lambda_chooser(settings.tracer, shot.camera_ray_count())),
           notes(notes_on_looks(scene, geometry, textures)) {
         notes.insert(notes.end(), shot.notes().begin(), shot.notes().end());
     }
@@ -39,6 +53,7 @@ struct FrameRenderer::State {
     anim::FrameGeometry geometry;
     bool cut_outs = false;
     std::unique_ptr<traversal::Tracer> tracer;
+    std::optional<traversal::LambdaChooser> lambda;
     Band band;
 
     std::vector<std::string> notes;
@@ -63,6 +78,11 @@ FrameReport FrameRenderer::render(double time_s, Film& film) {
     report.still_triangles = s.geometry.triangles.size() - report.moving_triangles;
 
     // Rebuild.
+    if (s.lambda) {
+        const traversal::LambdaChoice choice = s.lambda->choose(s.geometry.triangles.size());
+        s.tracer->set_lambda(choice.lambda);
+        report.predicted = choice.predicted;
+    }
     report.rebuild =
         s.tracer->rebuild({.positions = s.geometry.positions, .triangles = s.geometry.triangles});
 
@@ -90,6 +110,7 @@ FrameReport FrameRenderer::render(double time_s, Film& film) {
     }
     report.trace_ms = report.primary_ms + report.shadow_ms;
     report.shade_ms = making_pixels.ms() - report.trace_ms;
+    if (s.lambda) s.lambda->measured(report.rebuild.lambda, measured_frame(report));
     return report;
 }
 

@@ -6,11 +6,13 @@
 #include "engine/film.h"
 #include "engine/render_settings.h"
 #include "rebuild/build_report.h"
+#include "traversal/grid_cost.h"
 #include "traversal/tracer.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,10 +30,12 @@ struct FrameReport {
     std::size_t still_triangles = 0;
     traversal::TraceReport primary;
     traversal::TraceReport shadow;
+    std::optional<traversal::GridCost> predicted;  ///< where λ was chosen by cost: what it should have cost
 };
 
 /// Renders frames of one clip. Frames are independent: any time may follow any other, and a frame's
-/// pixels depend only on scene, clip, settings and time, never on the thread count or earlier frames.
+/// pixels depend only on scene, clip, settings and time, never on the thread count or earlier frames. Those
+/// before it may tell how many cells its grid is to have (`traversal::LambdaChooser`).
 class FrameRenderer {
 public:
     /// Decodes textures and chooses camera and lights.

@@ -75,4 +75,8 @@ std::span<const Pixel> Shot::band(std::size_t index) const {
     return std::span(order_).subspan(first, std::min(pixels_per_band_, order_.size() - first));
 }
 
+std::size_t Shot::camera_ray_count() const {
+    return order_.size() * static_cast<std::size_t>(pattern_.samples);
+}
+
 }  // namespace gridreel::engine

@@ -34,6 +34,9 @@ public:
     [[nodiscard]] std::size_t band_count() const;
     [[nodiscard]] std::span<const Pixel> band(std::size_t index) const;
 
+    /// Of the whole picture.
+    [[nodiscard]] std::size_t camera_ray_count() const;
+
     /// What was decided without being asked ("no light in the scene: …"), a sentence each.
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 

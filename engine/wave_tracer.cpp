@@ -171,6 +171,10 @@ std::size_t WaveTracer::still_triangles() const {
     return state_->geometry.triangles.size() - moving_triangles();
 }
 
+std::size_t WaveTracer::camera_ray_count() const {
+    return state_->shot.camera_ray_count();
+}
+
 const std::vector<std::string>& WaveTracer::notes() const {
     return state_->shot.notes();
 }

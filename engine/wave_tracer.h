@@ -49,6 +49,9 @@ public:
     [[nodiscard]] std::size_t moving_triangles() const;
     [[nodiscard]] std::size_t still_triangles() const;
 
+    /// Of each frame.
+    [[nodiscard]] std::size_t camera_ray_count() const;
+
     /// As `FrameRenderer::notes`, but for looks.
     [[nodiscard]] const std::vector<std::string>& notes() const;
 

@@ -16,6 +16,7 @@ struct BuildReport {
     double scatter_ms = 0.0;         ///< writing the reference lists
     double nesting_ms = 0.0;         ///< grids in crowded cells, all of their phases
     double total_ms = 0.0;           ///< everything, start to end
+    float lambda = 0.0f;             ///< cells per triangle asked for
     glm::ivec3 resolution{0};        ///< cells per axis of the top grid
     std::uint64_t cells = 0;         ///< of all grids
     std::uint64_t references = 0;    ///< triangles over all cell lists

@@ -106,11 +106,19 @@ GridBuilder::GridBuilder(const ResolutionPolicy& policy) : policy_(policy) {
     policy_.max_cells = std::min(policy.max_cells, most_cells);
 }
 
+void GridBuilder::set_lambda(float lambda) {
+    ResolutionPolicy policy = policy_;
+    policy.lambda = lambda;
+    (void)choose_resolution({}, 0, policy);
+    policy_ = policy;
+}
+
 BuildReport GridBuilder::rebuild(const TriangleView& triangles) {
     if (triangles.size() >= nested_mark) throw std::length_error("2^31 triangles or more in one grid");
     PhaseTimer whole;
     PhaseTimer timer;
     BuildReport report;
+    report.lambda = policy_.lambda;
     for (GridLevel& level : grid_.levels) level.grids.resize(0);
 
     const Bounds3 box = traceable_bounds(triangles, {.count = triangles.size()});

@@ -30,6 +30,10 @@ public:
     /// @throws std::length_error for 2^31 triangles or more
     BuildReport rebuild(const TriangleView& triangles);
 
+    /// Cells per triangle from the next rebuild on.
+    /// @throws std::invalid_argument unless finite and greater than 0
+    void set_lambda(float lambda);
+
     [[nodiscard]] const Grid& grid() const { return grid_; }
 
 private:

@@ -2,30 +2,63 @@
 
 #include "anim/load.h"
 #include "sequences/frame_pattern.h"
+#include "traversal/lambda_chooser.h"
 
 #include <tbb/task_arena.h>
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace gridreel::sequences {
 namespace {
+
+constexpr int settling_runs = 16;  // twice the λ there are to choose from
+
+std::size_t triangles_of(const engine::WaveTracer& waves) {
+    return waves.moving_triangles() + waves.still_triangles();
+}
 
 /// A competitor's own structure, kept from frame to frame.
 struct Entrant {
     std::unique_ptr<traversal::Tracer> tracer;
     std::unique_ptr<tbb::task_arena> arena;
     rebuild::BuildReport built;  ///< last
+    std::optional<traversal::LambdaChooser> lambda;
+
+    void rebuild(const engine::WaveTracer& waves) {
+        if (lambda) tracer->set_lambda(lambda->choose(triangles_of(waves)).lambda);
+        built = waves.rebuild(*tracer);
+    }
+
+    /// Of what `built` says.
+    void learn(const engine::WaveTracer& waves, const engine::WaveReport& traced) {
+        if (!lambda) return;
+        traversal::TraceReport rays = traced.primary.report;
+        rays += traced.shadow.front().report;
+        const double ms = traced.primary.ms + traced.shadow.front().ms;
+        lambda->measured(built.lambda, traversal::measured_frame(triangles_of(waves), built, rays, ms));
+    }
+
+    /// Rebuilds and traces the frame until λ no longer changes much.
+    void settle(engine::WaveTracer& waves) {
+        for (int run = 0; lambda && run < settling_runs; ++run) {
+            rebuild(waves);
+            learn(waves, waves.trace(*tracer, engine::Bounce::left_out));
+        }
+    }
 };
 
-std::vector<Entrant> enter(const BenchmarkPlan& plan, std::vector<Competitor>& competitors) {
+std::vector<Entrant> enter(const BenchmarkPlan& plan, std::size_t camera_rays,
+                           std::vector<Competitor>& competitors) {
     std::vector<Entrant> entrants;
     for (const int threads : plan.threads) {
         for (const NamedTracer& tracer : plan.tracers) {
-            Entrant& entrant =
-                entrants.emplace_back(Entrant{.tracer = traversal::make_tracer(tracer.options),
-                                              .arena = std::make_unique<tbb::task_arena>(threads),
-                                              .built = {}});
+            Entrant& entrant = entrants.emplace_back(
+                Entrant{.tracer = traversal::make_tracer(tracer.options),
+                        .arena = std::make_unique<tbb::task_arena>(threads),
+                        .built = {},
+                        .lambda = traversal::make_lambda_chooser(tracer.options, camera_rays)});
             Competitor& competitor = competitors.emplace_back(
                 Competitor{.name = tracer.name, .threads = threads, .ways = {}, .runs = {}});
             for (const std::string_view way : entrant.tracer->ways()) competitor.ways.emplace_back(way);
@@ -49,7 +82,7 @@ SceneBenchmark run_benchmark(const BenchmarkPlan& plan,
                           .phase = plan.phase,
                           .competitors = {},
                           .notes = waves.notes()};
-    std::vector<Entrant> entrants = enter(plan, result.competitors);
+    std::vector<Entrant> entrants = enter(plan, waves.camera_ray_count(), result.competitors);
 
     // The clip's start.
     (void)waves.animate(0.0);
@@ -64,12 +97,17 @@ SceneBenchmark run_benchmark(const BenchmarkPlan& plan,
             BenchmarkRun run;
             if (plan.phase != BenchmarkPhase::trace || first_run) {
                 run.animate_ms = waves.animate(time_s);
-                entrant.built = waves.rebuild(*entrant.tracer);
+                entrant.rebuild(waves);
             }
             run.rebuild = entrant.built;
             if (plan.phase != BenchmarkPhase::rebuild) run.waves = waves.trace(*entrant.tracer, plan.bounce);
+            if (plan.phase == BenchmarkPhase::all) entrant.learn(waves, run.waves);
             return run;
         };
+        if (f == 0 && plan.warmup > 0) {
+            (void)waves.animate(time_s);
+            for (Entrant& entrant : entrants) entrant.arena->execute([&] { entrant.settle(waves); });
+        }
         const std::size_t count = entrants.size();
         for (int turn = 0; turn < plan.warmup + plan.repeat; ++turn) {
             for (std::size_t place = 0; place < count; ++place) {

@@ -108,6 +108,7 @@ CompetitorFigures competitor_figures(const Competitor& competitor, const SceneBe
     const rebuild::BuildReport& built = competitor.runs.back().rebuild;
     const std::size_t triangles = benchmark.moving_triangles + benchmark.still_triangles;
     figures.bytes_per_triangle = triangles > 0 ? double(built.bytes) / double(triangles) : 0.0;
+    figures.lambda = built.lambda;
     figures.resolution = built.resolution;
     figures.cells = built.cells;
     figures.references = built.references;

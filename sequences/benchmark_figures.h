@@ -28,6 +28,7 @@ struct CompetitorFigures {
     std::vector<PhaseFigures> phases;
     double rebuild_share = 0.0;       ///< rebuild / (rebuild + primary + shadow), of the medians
     double bytes_per_triangle = 0.0;  ///< structure and scratch, in the last run
+    float lambda = 0.0f;              ///< of grids, in the last run
     glm::ivec3 resolution{0};         ///< in the last run
     std::uint64_t cells = 0, references = 0;
 

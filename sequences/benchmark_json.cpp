@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <string>
 #include <thread>
 
 namespace gridreel::sequences {
@@ -60,6 +61,8 @@ Json entry(const SceneFigures& scene, const CompetitorFigures& competitor, const
     if (!phase.way.empty()) json["rays"] = phase.way;
     if (phase.name == "rebuild") {
         json["triangles"] = {{"moving", scene.moving_triangles}, {"still", scene.still_triangles}};
+        // As written: 0.35 and not 0.3499999940395355.
+        if (competitor.lambda > 0.0f) json["lambda"] = std::stod(fmt::format("{}", competitor.lambda));
         json["grid"] = {competitor.resolution.x, competitor.resolution.y, competitor.resolution.z};
         json["cells"] = competitor.cells;
         json["references"] = competitor.references;

@@ -59,9 +59,9 @@ std::string structure(const CompetitorFigures& competitor) {
         text += fmt::format(", rebuild {:.1f}% of the frame", 100.0 * competitor.rebuild_share);
     }
     if (competitor.cells > 0) {
-        text += fmt::format(", {} x {} x {}, {} cells, {} references", competitor.resolution.x,
-                            competitor.resolution.y, competitor.resolution.z, competitor.cells,
-                            competitor.references);
+        text += fmt::format(", lambda {:g}, {} x {} x {}, {} cells, {} references", competitor.lambda,
+                            competitor.resolution.x, competitor.resolution.y, competitor.resolution.z,
+                            competitor.cells, competitor.references);
     }
     for (const PhaseFigures& phase : competitor.phases) {
         if (!phase.way.empty()) text += fmt::format(", {} rays: {}", phase.name, phase.way);

@@ -51,6 +51,7 @@ Json options_of(const RunRecord& run) {
     const engine::RenderSettings& render = job.render;
     const auto& background = render.background;
     const auto& resolution = render.tracer.resolution;
+    const bool by_cost = render.tracer.lambda == traversal::LambdaRule::by_cost;
     return {{"output", job.output.text()},
             {"frames", to_string(run.frames)},
             {"fps", to_string(job.take.rate)},
@@ -69,7 +70,7 @@ Json options_of(const RunRecord& run) {
             {"depth", job.image.depth == Depth::half_float ? "half" : "float"},
             {"compression", job.image.compression},
             {"accel", traversal::name_of(render.tracer.kind)},
-            {"lambda", as_written(resolution.lambda)},
+            {"lambda", by_cost ? Json("auto") : Json(as_written(resolution.lambda))},
             {"max-cells", resolution.max_cells},
             {"keep-going", job.keep_going}};
 }
@@ -108,7 +109,9 @@ std::string log_line(const FrameRecord& frame) {
     const engine::FrameReport& render = frame.render;
     const rebuild::BuildReport& built = render.rebuild;
     line["triangles"] = {{"moving", render.moving_triangles}, {"still", render.still_triangles}};
-    line["grid"] = {{"cells", {built.resolution.x, built.resolution.y, built.resolution.z}},
+    line["grid"] = {{"lambda", as_written(built.lambda)},
+                    {"cells", {built.resolution.x, built.resolution.y, built.resolution.z}},
+                    {"cells_with_nested", built.cells},
                     {"references", built.references},
                     {"bytes", built.bytes}};
     line["ms"] = {{"animate", render.animate_ms},
@@ -123,6 +126,12 @@ std::string log_line(const FrameRecord& frame) {
                   {"write", frame.write_ms},
                   {"total", frame.total_ms()}};
     line["rays"] = {{"primary", render.primary.rays}, {"shadow", render.shadow.rays}, {"secondary", 0}};
+    line["steps"] = {{"cells", render.primary.cells + render.shadow.cells},
+                     {"tests", render.primary.triangle_tests + render.shadow.triangle_tests}};
+    if (render.predicted) {
+        line["predicted_ms"] = {{"rebuild", render.predicted->rebuild_ms},
+                                {"trace", render.predicted->trace_ms}};
+    }
     line["peak_bytes"] = frame.peak_bytes;
     line["file"] = frame.file.string();
     line["pixels_sha256"] = frame.pixels_sha256;

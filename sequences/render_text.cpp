@@ -72,11 +72,11 @@ glm::vec4 parse_background(std::string_view text) {
         "write #rrggbb or #rrggbbaa (sRGB), three or four linear numbers 0.2,0.2,0.2, or transparent");
 }
 
-float parse_lambda(std::string_view text, float automatic) {
-    if (text == "auto") return automatic;
+std::optional<float> parse_lambda(std::string_view text) {
+    if (text == "auto") return std::nullopt;
     if (text == "paper") return 5.0f;
     const auto value = parse_number<float>(text);
-    if (value && std::isfinite(*value) && *value > 0.0f) return *value;
+    if (value && std::isfinite(*value) && *value > 0.0f) return value;
     throw UsageError(fmt::format("'{}' is not a number of cells per triangle", text), "--lambda",
                      "give a number above 0, paper, or auto");
 }

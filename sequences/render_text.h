@@ -27,8 +27,8 @@ inline constexpr std::int32_t max_picture_side = 32'768;  ///< pixels
 /// @throws UsageError for anything else, negative numbers, or an alpha above 1
 [[nodiscard]] glm::vec4 parse_background(std::string_view text);
 
-/// Cells per triangle of the grid: a number > 0, `paper` for 5 (Wald et al. 2006), `auto` for `automatic`.
+/// Cells per triangle of the grid: a number > 0, `paper` for 5 (Wald et al. 2006), nothing for `auto`.
 /// @throws UsageError
-[[nodiscard]] float parse_lambda(std::string_view text, float automatic);
+[[nodiscard]] std::optional<float> parse_lambda(std::string_view text);
 
 }  // namespace gridreel::sequences

@@ -24,6 +24,10 @@ constexpr Row rows[]{
     {"total", [](const FrameRecord& r) { return r.total_ms(); }},
 };
 
+bool chose_lambda(const FrameRecord* record) {
+    return record->render.predicted.has_value();
+}
+
 }  // namespace
 
 Spread spread_of(std::vector<double> values) {
@@ -60,6 +64,11 @@ std::string timing_table(std::span<const FrameRecord> records) {
     const Spread share = spread(rebuild_share);
     table += fmt::format("{:<14}{:>9.1f}%{:>9.1f}%{:>9.1f}%\n", "rebuild share", 100.0 * share.min,
                          100.0 * share.median, 100.0 * share.max);
+    if (std::any_of(written.begin(), written.end(), chose_lambda)) {
+        const Spread lambda = spread([](const FrameRecord& r) { return double(r.render.rebuild.lambda); });
+        table += fmt::format("{:<14}{:>10.4g}{:>10.4g}{:>10.4g}\n", "lambda", lambda.min, lambda.median,
+                             lambda.max);
+    }
     return table;
 }
 

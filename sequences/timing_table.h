@@ -22,8 +22,9 @@ struct Spread {
 /// Part of a frame's ray tracing that went into rebuilding: rebuild / (rebuild + trace), 0 when both are 0.
 [[nodiscard]] double rebuild_share(const FrameRecord& record);
 
-/// Minimum, median and maximum milliseconds of each phase, and of the rebuild share in percent, over
-/// the frames that did not fail. One line per row, the last one ended too; empty without such frames.
+/// Minimum, median and maximum milliseconds of each phase, of the rebuild share in percent, and of λ where it
+/// was chosen by cost, over the frames that did not fail. One line per row, the last one ended too; empty
+/// without such frames.
 [[nodiscard]] std::string timing_table(std::span<const FrameRecord> records);
 
 }  // namespace gridreel::sequences

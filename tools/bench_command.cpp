@@ -76,8 +76,10 @@ void add_comparison_options(CLI::App& app, BenchText& text) {
         ->type_name("LIST")
         ->default_str("all allowed")
         ->group(group);
-    app.add_option("--lambda", text.lambdas,
-                   "Grid cells per triangle: numbers, paper (5), auto; several: a grid for each")
+    app.add_option(
+           "--lambda", text.lambdas,
+           "Grid cells per triangle: numbers, paper (5), auto (by cost, settled in the warm-up); several: a "
+           "grid for each")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("LIST")
@@ -174,7 +176,7 @@ std::vector<NamedTracer> read_tracers(const BenchText& text, const traversal::Tr
             }
         } else {
             for (const std::string& lambda : text.lambdas) {
-                options.resolution.lambda = sequences::parse_lambda(lambda, basis.resolution.lambda);
+                set_lambda(lambda, options);
                 tracers.push_back(
                     {.name = text.lambdas.size() == 1 ? accel : fmt::format("{}:{}", accel, lambda),
                      .options = options});

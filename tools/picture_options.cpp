@@ -6,6 +6,8 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <optional>
+
 namespace gridreel::tools {
 
 void add_picture_options(CLI::App& app, PictureText& text) {
@@ -55,11 +57,18 @@ void add_max_cells_option(CLI::App& app, PictureText& text) {
 }
 
 void add_grid_options(CLI::App& app, PictureText& text) {
-    app.add_option("--lambda", text.lambda, "Grid cells per triangle: a number, paper (5), or auto")
-        ->type_name("R")
+    app.add_option("--lambda", text.lambda,
+                   "Grid cells per triangle: a number, paper (5), or auto: chosen for each frame by cost")
+        ->type_name("R|paper|auto")
         ->capture_default_str()
         ->group("Machine");
     add_max_cells_option(app, text);
+}
+
+void set_lambda(const std::string& text, traversal::TracerOptions& options) {
+    const std::optional<float> lambda = sequences::parse_lambda(text);
+    options.lambda = lambda ? traversal::LambdaRule::fixed : traversal::LambdaRule::by_cost;
+    if (lambda) options.resolution.lambda = *lambda;
 }
 
 engine::RenderSettings read_picture(const PictureText& text) {
@@ -74,9 +83,8 @@ engine::RenderSettings read_picture(const PictureText& text) {
     settings.exposure_stops = text.exposure;
     if (text.lights == "file") settings.lights = engine::LightChoice::file;
     if (text.lights == "default") settings.lights = engine::LightChoice::standard;
-    auto& resolution = settings.tracer.resolution;
-    resolution.lambda = sequences::parse_lambda(text.lambda, resolution.lambda);
-    resolution.max_cells = text.max_cells;
+    set_lambda(text.lambda, settings.tracer);
+    settings.tracer.resolution.max_cells = text.max_cells;
     return settings;
 }
 

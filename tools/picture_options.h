@@ -34,6 +34,10 @@ void add_max_cells_option(CLI::App& app, PictureText& text);
 /// --lambda --max-cells.
 void add_grid_options(CLI::App& app, PictureText& text);
 
+/// The rule or the number that --lambda gives.
+/// @throws sequences::UsageError
+void set_lambda(const std::string& text, traversal::TracerOptions& options);
+
 /// @throws sequences::UsageError
 [[nodiscard]] engine::RenderSettings read_picture(const PictureText& text);
 

@@ -21,6 +21,7 @@ public:
                const PacketOptions& packets = {});
 
     rebuild::BuildReport rebuild(const rebuild::TriangleView& triangles) override;
+    void set_lambda(float lambda) override { builder_.set_lambda(lambda); }
     TraceReport closest_hits(const RayBatch& rays, HitBatch& hits) override;
     TraceReport any_hits(const RayBatch& rays, OcclusionBatch& occluded) override;
 

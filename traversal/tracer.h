@@ -41,6 +41,11 @@ public:
     /// `triangles` must stay alive and unchanged until the next rebuild.
     virtual rebuild::BuildReport rebuild(const rebuild::TriangleView& triangles) = 0;
 
+    /// Cells per triangle of the grids that are rebuilt from now on. Answers do not depend on it, and other
+    /// structures than grids do not heed it.
+    /// @param lambda  finite, > 0
+    virtual void set_lambda(float /*lambda*/) {}
+
     /// Fills `hits` (resized) with the closest hit of every ray.
     virtual TraceReport closest_hits(const RayBatch& rays, HitBatch& hits) = 0;
 
@@ -82,10 +87,17 @@ struct EmbreeOptions {
     EmbreeRays rays = EmbreeRays::automatic;
 };
 
+/// Who says how many cells per triangle a grid gets.
+enum class LambdaRule {
+    fixed,    ///< `ResolutionPolicy::lambda`, every frame
+    by_cost,  ///< a `LambdaChooser`, frame by frame
+};
+
 struct TracerOptions {
     TracerKind kind = TracerKind::grid;
     rebuild::ResolutionPolicy resolution;  ///< of the grids
-    PacketOptions packets{};               ///< of the coherent grid
+    LambdaRule lambda = LambdaRule::fixed;
+    PacketOptions packets{};  ///< of the coherent grid
     EmbreeOptions embree{};
 };
 

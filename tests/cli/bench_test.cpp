@@ -1,6 +1,7 @@
 #include "tests/cli/run_command.h"
 #include "tests/cli/tiny_scene.h"
 #include "tests/sequences/scratch_folder.h"
+#include "traversal/lambda_chooser.h"
 #include "traversal/simd_target.h"
 #include "traversal/tracer.h"
 
@@ -76,6 +77,7 @@ TEST_CASE("bench refuses what it cannot compare", "[cli][bench]") {
     CHECK(exit_code("--phase", "shade") == 2);
     CHECK(exit_code("--lambda", "1,0") == 2);
     CHECK(exit_code("--lambda", "1,many") == 2);
+    CHECK(exit_code("--lambda", "auto,auto") == 2);
     CHECK(exit_code("--embree-quality", "high") == 2);
     CHECK(exit_code("--embree-rays", "many") == 2);
     CHECK(exit_code("--fail-if", "10%") == 2);
@@ -201,6 +203,31 @@ TEST_CASE("bench sweeps lambda, a competitor for each", "[cli][bench]") {
     REQUIRE(outcome.exit_code == 0);
     CHECK_THAT(outcome.out, Contains("grid:0.5 against grid:2, 1 thread:") && Contains("grid:paper"));
     CHECK(!find_benchmark(read_json(folder / "out.json"), "tiny/grid:2/threads:1/rebuild").is_null());
+}
+
+TEST_CASE("bench sets a lambda chosen by cost beside fixed ones", "[cli][bench][lambda]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    for (const std::string phase : {"all", "rebuild", "trace"}) {
+        for (const std::string warmup : {"0", "1"}) {
+            INFO(phase << ", " << warmup);
+            const Outcome outcome =
+                run_gridreel(quick_bench({"--lambda", "3,auto", "--accel", "grid,grid-single,naive",
+                                          "--phase", phase, "--warmup", warmup, "--json", "out.json"}),
+                             {.folder = folder.path()});
+            REQUIRE(outcome.exit_code == 0);
+            CHECK_THAT(outcome.out, Contains("grid:3 against grid:auto, 1 thread:"));
+            if (phase == "trace") continue;
+            const auto json = read_json(folder / "out.json");
+            CHECK(find_benchmark(json, "tiny/grid:3/threads:1/rebuild")["lambda"] == 3.0);
+            for (const std::string accel : {"grid", "grid-single"}) {
+                const float chosen =
+                    find_benchmark(json, "tiny/" + accel + ":auto/threads:1/rebuild")["lambda"];
+                const auto& ladder = gridreel::traversal::LambdaChooser::ladder;
+                CHECK(std::find(ladder.begin(), ladder.end(), chosen) != ladder.end());
+            }
+        }
+    }
 }
 
 TEST_CASE("bench measures one phase alone", "[cli][bench]") {

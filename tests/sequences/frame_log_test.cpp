@@ -26,6 +26,7 @@ FrameRecord some_frame(Frame number) {
                             .scan_ms = 0.125,
                             .scatter_ms = 0.75,
                             .total_ms = 2.0,
+                            .lambda = 0.7f,
                             .resolution = {3, 4, 5},
                             .cells = 60,
                             .references = 1234,
@@ -34,8 +35,8 @@ FrameRecord some_frame(Frame number) {
     frame.render.shade_ms = 4.0;
     frame.render.moving_triangles = 7;
     frame.render.still_triangles = 9;
-    frame.render.primary.rays = 100;
-    frame.render.shadow.rays = 50;
+    frame.render.primary = {.rays = 100, .cells = 11, .triangle_tests = 300};
+    frame.render.shadow = {.rays = 50, .cells = 7, .triangle_tests = 20};
     frame.render_ms = 40.0;
     frame.write_ms = 8.0;
     frame.peak_bytes = 1'000'000;
@@ -60,12 +61,20 @@ TEST_CASE("a frame's line has the documented fields", "[frame_log]") {
     CHECK(json::parse(line) == json::parse(R"({
         "schema": "gridreel.frame/1", "frame": 12, "time_s": 0.5,
         "triangles": {"moving": 7, "still": 9},
-        "grid": {"cells": [3, 4, 5], "references": 1234, "bytes": 4096},
+        "grid": {"lambda": 0.7, "cells": [3, 4, 5], "cells_with_nested": 60, "references": 1234, "bytes": 4096},
         "ms": {"animate": 1.5,
                "rebuild": {"bounds": 0.25, "count": 0.5, "scan": 0.125, "scatter": 0.75, "total": 2.0},
                "trace": 30.0, "shade": 4.0, "write": 8.0, "total": 48.0},
         "rays": {"primary": 100, "shadow": 50, "secondary": 0},
+        "steps": {"cells": 18, "tests": 320},
         "peak_bytes": 1000000, "file": "out/a.0012.exr", "pixels_sha256": "abc"})"));
+}
+
+TEST_CASE("a frame whose lambda was chosen says what it should have cost", "[frame_log]") {
+    FrameRecord frame = some_frame(12);
+    CHECK_FALSE(json::parse(log_line(frame)).contains("predicted_ms"));
+    frame.render.predicted = {.rebuild_ms = 1.0 / 3.0, .trace_ms = 31.5};
+    CHECK(json::parse(log_line(frame))["predicted_ms"] == json{{"rebuild", 1.0 / 3.0}, {"trace", 31.5}});
 }
 
 TEST_CASE("a failed frame's line says why", "[frame_log]") {
@@ -108,6 +117,9 @@ TEST_CASE("the run's line says what ran, how and on what", "[frame_log]") {
     CHECK(line["options"]["aov"] == json{"z"});
     CHECK(line["options"]["depth"] == "half");
     CHECK(line["options"]["accel"] == "grid");
+
+    run.job.render.tracer.lambda = traversal::LambdaRule::by_cost;
+    CHECK(json::parse(log_line(run))["options"]["lambda"] == "auto");
 }
 
 TEST_CASE("a log grows by runs, each line in place at once", "[frame_log]") {

@@ -33,12 +33,13 @@ TEST_CASE("hex backgrounds are sRGB, numbers are linear light", "[render_text]")
     }
 }
 
-TEST_CASE("lambda is a number, the paper's five, or the default", "[render_text]") {
-    CHECK(parse_lambda("0.4", 1.0f) == 0.4f);
-    CHECK(parse_lambda("paper", 1.0f) == 5.0f);
-    CHECK(parse_lambda("auto", 1.5f) == 1.5f);
-    for (const std::string text : {"", "0", "-1", "nan", "inf", "five"}) {
+TEST_CASE("lambda is a number, the paper's five, or nothing", "[render_text]") {
+    CHECK(parse_lambda("0.4") == 0.4f);
+    CHECK(parse_lambda("paper") == 5.0f);
+    CHECK(parse_lambda("auto") == std::nullopt);
+    for (const std::string text : {"", "0", "-1", "nan", "inf", "five", "Auto", "auto "}) {
         INFO(text);
-        CHECK_THROWS_AS(parse_lambda(text, 1.0f), UsageError);
+        CHECK_THROWS_AS(parse_lambda(text), UsageError);
+        CHECK_THROWS_WITH(parse_lambda(text), Catch::Matchers::Contains("auto"));
     }
 }

@@ -67,3 +67,12 @@ TEST_CASE("failed frames have no times", "[timing_table]") {
           Row{"1.00", "1.00", "1.00"});
     CHECK(rebuild_share(FrameRecord{}) == 0.0);
 }
+
+TEST_CASE("the table shows lambda where it was chosen", "[timing_table]") {
+    std::vector<FrameRecord> frames{record(10, 30), record(20, 20), record(3, 1)};
+    for (FrameRecord& frame : frames) frame.render.rebuild.lambda = 2.0f;
+    CHECK(row(timing_table(frames), "lambda").empty());
+    for (FrameRecord& frame : frames) frame.render.predicted = gridreel::traversal::GridCost{};
+    frames[1].render.rebuild.lambda = 0.125f;
+    CHECK(row(timing_table(frames), "lambda") == Row{"0.125", "2", "2"});
+}
