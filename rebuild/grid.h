@@ -45,6 +45,10 @@ struct GridLevel {
     [[nodiscard]] std::size_t bytes() const {
         return grids.bytes() + cell_begin.bytes() + references.bytes();
     }
+    [[nodiscard]] std::size_t used_bytes() const {
+        return grids.size() * sizeof(UniformGrid) +
+               (cell_begin.size() + references.size()) * sizeof(std::uint32_t);
+    }
 };
 
 /// Set on a reference that stands for a nested grid. Triangles have lower indices.

@@ -22,6 +22,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t references_per_triangle_limit = 64;
 
+/// So many frames in a row must need less than half of the memory before it is let go.
+constexpr int oversized_limit = 8;
+
 /// Cells are numbered in 32 bits.
 constexpr std::int64_t most_cells = std::int64_t{1} << 31;
 
@@ -119,6 +122,8 @@ BuildReport GridBuilder::rebuild(const TriangleView& triangles) {
     PhaseTimer timer;
     BuildReport report;
     report.lambda = policy_.lambda;
+    if (oversized_ == oversized_limit) release();
+    sort_.begin_frame();
     for (GridLevel& level : grid_.levels) level.grids.resize(0);
 
     const Bounds3 box = traceable_bounds(triangles, {.count = triangles.size()});
@@ -134,6 +139,7 @@ BuildReport GridBuilder::rebuild(const TriangleView& triangles) {
     report.total_ms = whole.lap();
     report.resolution = grid_.top().resolution;
     report.bytes = bytes();
+    oversized_ = report.bytes > 2 * used_bytes() ? oversized_ + 1 : 0;
     return report;
 }
 
@@ -220,6 +226,20 @@ void GridBuilder::mark_nested(std::size_t depth) {
         first[0] = nested_mark | static_cast<std::uint32_t>(i);
         first[1] = static_cast<std::uint32_t>(jobs_[i].triangles.count);
     });
+}
+
+void GridBuilder::release() {
+    grid_ = {};
+    sort_.release();
+    oversized_ = 0;
+}
+
+std::size_t GridBuilder::used_bytes() const {
+    std::size_t sum = sort_.used_bytes();
+    for (const GridLevel& level : grid_.levels) {
+        if (!level.grids.empty()) sum += level.used_bytes();
+    }
+    return sum;
 }
 
 std::size_t GridBuilder::bytes() const {

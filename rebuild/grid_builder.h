@@ -12,7 +12,7 @@
 namespace gridreel::rebuild {
 
 /// Rebuilds a grid in parallel by counting sort, keeping all memory from one frame to the next:
-/// once the largest frame has been seen nothing is allocated.
+/// once the largest frame has been seen nothing is allocated, until frames have long needed less than half.
 ///
 /// Work runs in the calling thread's TBB arena. The grid is byte-identical for any number of threads.
 class GridBuilder {
@@ -41,13 +41,16 @@ private:
     [[nodiscard]] bool nest(const TriangleView& triangles, std::size_t depth, BuildReport& report);
     void measure_nested(const TriangleView& triangles, std::size_t depth);
     void mark_nested(std::size_t depth);
+    void release();
     [[nodiscard]] std::size_t bytes() const;
+    [[nodiscard]] std::size_t used_bytes() const;
 
     ResolutionPolicy policy_;
     Grid grid_;
     LevelSort sort_;
     std::vector<GridJob> jobs_;  ///< of the level being built
     std::vector<CrowdedCell> crowded_;
+    int oversized_ = 0;  ///< frames in a row that needed less than half of the memory
 };
 
 }  // namespace gridreel::rebuild

@@ -44,7 +44,7 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
                         .end = part_begin(triangles, k + 1, layout.chunks),
                         .histogram = histograms,
                         .first_reference = references};
-            const double room = room_per_triangle_ * double(chunk.end - chunk.begin);
+            const double room = room_per_triangle(jobs[j]) * double(chunk.end - chunk.begin);
             chunk.capacity = std::min<std::size_t>(jobs[j].reference_limit, static_cast<std::size_t>(room));
             chunks_.push_back(chunk);
             references += chunk.capacity + ReferenceRoom::padding;
@@ -62,7 +62,12 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
     cells_.resize(references);
     triangles_.resize(references);
     histograms_.resize(histograms);
+    used_bytes_ = std::max(used_bytes_, (2 * references + histograms) * sizeof(std::uint32_t));
     level.cell_begin.resize(cells + 1);
+}
+
+double& LevelSort::room_per_triangle(const GridJob& job) {
+    return room_per_triangle_[job.triangles.indices == nullptr ? 0 : 1];
 }
 
 ReferenceRoom LevelSort::room_of(const Chunk& chunk) {
@@ -86,12 +91,12 @@ void LevelSort::find(const TriangleView& triangles, const GridJob& job, const Un
 
 /// @return false if some chunk found more references than it had room for: now there will be
 bool LevelSort::make_room(std::span<const GridJob> jobs) {
-    constexpr double spare = 1.25;  // the next frame may need a little more
+    constexpr double spare = 1.1;  // the next frame may need a little more
     bool enough = true;
     for (const Chunk& chunk : chunks_) {
         if (chunk.references <= chunk.capacity || jobs[chunk.job].over_limit()) continue;
-        room_per_triangle_ =
-            std::max(room_per_triangle_, spare * double(chunk.references) / double(chunk.end - chunk.begin));
+        double& room = room_per_triangle(jobs[chunk.job]);
+        room = std::max(room, spare * double(chunk.references) / double(chunk.end - chunk.begin));
         enough = false;
     }
     return enough;

@@ -6,6 +6,7 @@
 #include "rebuild/reference_kernel.h"
 #include "rebuild/triangle_view.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -55,6 +56,11 @@ public:
     [[nodiscard]] std::size_t bytes() const {
         return cells_.bytes() + triangles_.bytes() + histograms_.bytes();
     }
+    /// Of those, what the largest level since `begin_frame` needed.
+    [[nodiscard]] std::size_t used_bytes() const { return used_bytes_; }
+    void begin_frame() { used_bytes_ = 0; }
+    /// Lets all memory go.
+    void release() { *this = {}; }
 
 private:
     /// Some of a job's triangles, and the histogram they are counted in.
@@ -81,10 +87,13 @@ private:
     void lay_out(std::span<const GridJob> jobs, GridLevel& level);
     void find(const TriangleView& triangles, const GridJob& job, const UniformGrid& grid, Chunk& chunk);
     [[nodiscard]] bool make_room(std::span<const GridJob> jobs);
+    [[nodiscard]] double& room_per_triangle(const GridJob& job);
     [[nodiscard]] ReferenceRoom room_of(const Chunk& chunk);
 
-    double room_per_triangle_ = 4.0;  ///< references that a chunk has room for, at least; grows on demand
-    std::vector<Layout> layouts_;     ///< one per job
+    /// References that chunks have room for, in the top grid and in nested ones. Grows on demand.
+    std::array<double, 2> room_per_triangle_{2.5, 2.5};
+    std::size_t used_bytes_ = 0;
+    std::vector<Layout> layouts_;  ///< one per job
     std::vector<Chunk> chunks_;
     std::vector<Piece> pieces_;
     Buffer<std::uint32_t> cells_;       ///< of each chunk's references, in the order of its triangles

@@ -273,6 +273,22 @@ TEST_CASE("triangles that cannot be traced are in no cell and do not stretch the
                             builder.grid().levels[0].references.end()) == 49);
 }
 
+TEST_CASE("memory that frames have long not needed is let go", "[rebuild]") {
+    const Soup triangles = soup(20'000, 0.1f);
+    GridBuilder fresh({.lambda = 0.25f}), builder({.lambda = 16.0f});
+    const std::size_t needed = fresh.rebuild(triangles.view()).bytes;
+    const std::size_t before = builder.rebuild(triangles.view()).bytes;
+    CHECK(before > 3 * needed);
+    builder.set_lambda(0.25f);
+    CHECK(builder.rebuild(triangles.view()).bytes >= before);  // one frame says nothing yet
+    std::size_t after = 0;
+    for (int frame = 0; frame < 10; ++frame) after = builder.rebuild(triangles.view()).bytes;
+    CHECK(after < 2 * needed);
+    CHECK(std::ranges::equal(builder.grid().levels[0].references.span(),
+                             fresh.grid().levels[0].references.span()));
+    CHECK(builder.rebuild(triangles.view()).bytes == after);  // and that is that
+}
+
 TEST_CASE("vertices that no triangle uses do not stretch the box", "[rebuild]") {
     Soup triangles = soup(50, 0.1f);
     GridBuilder clean, builder;
