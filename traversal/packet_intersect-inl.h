@@ -63,6 +63,7 @@ inline constexpr int plane_row = 3;
 struct alignas(64) EdgeTable {
     float k[4][group], u[4][group], v[4][group];  // three edges, then the plane
     float volume[group], error[group], sure[group], depth_min[group], depth_max[group];
+    float low_u[group], high_u[group], low_v[group], high_v[group];  // slopes, less the aim's
 };
 
 /// Whether any direction within the bounds can be inside all three edges, lane by lane: the edge function's
@@ -82,6 +83,44 @@ HWY_INLINE hn::Mask<LaneTag> may_be_inside(LaneTag d, const EdgeFunctions<Lanes>
     return inside;
 }
 
+/// A triangle whose box meets more blocks than this is held against each block's edge functions first.
+constexpr int few_blocks = 4;
+
+/// The slopes a triangle is seen at, less the aim's: boxes, wide enough for rounding.
+struct SlopeBox {
+    Lanes low_u, high_u, low_v, high_v;
+};
+
+HWY_INLINE SlopeBox slope_box(LaneTag d, const Vec3<Lanes>& a, const Vec3<Lanes>& b, const Vec3<Lanes>& c,
+                              Lanes sign, const Slopes<Lanes>& aim) {
+    const auto slopes = [&](const Vec3<Lanes>& p) {
+        const Lanes depth = hn::Mul(p.k, sign);
+        const Lanes per_depth = hn::Div(hn::Set(d, 1.0f), depth);
+        return Slopes<Lanes>{hn::Mul(hn::NegMulAdd(aim.u, depth, p.u), per_depth),
+                             hn::Mul(hn::NegMulAdd(aim.v, depth, p.v), per_depth)};
+    };
+    const Slopes<Lanes> at_a = slopes(a), at_b = slopes(b), at_c = slopes(c);
+    // Far enough in front for the division, too.
+    const Lanes nearest = hn::Min(hn::Mul(a.k, sign), hn::Min(hn::Mul(b.k, sign), hn::Mul(c.k, sign)));
+    const auto in_front = hn::Gt(nearest, hn::Set(d, 0x1p-100f));
+    const auto low = [&](Lanes x, Lanes y, Lanes z) {
+        const Lanes least = hn::Min(x, hn::Min(y, z));
+        const Lanes margin =
+            hn::MulAdd(hn::Abs(least), hn::Set(d, rounding_margin), hn::Set(d, rounding_margin));
+        return hn::IfThenElse(in_front, hn::Sub(least, margin), hn::Neg(hn::Inf(d)));
+    };
+    const auto high = [&](Lanes x, Lanes y, Lanes z) {
+        const Lanes greatest = hn::Max(x, hn::Max(y, z));
+        const Lanes margin =
+            hn::MulAdd(hn::Abs(greatest), hn::Set(d, rounding_margin), hn::Set(d, rounding_margin));
+        return hn::IfThenElse(in_front, hn::Add(greatest, margin), hn::Inf(d));
+    };
+    return {.low_u = low(at_a.u, at_b.u, at_c.u),
+            .high_u = high(at_a.u, at_b.u, at_c.u),
+            .low_v = low(at_a.v, at_b.v, at_c.v),
+            .high_v = high(at_a.v, at_b.v, at_c.v)};
+}
+
 /// Edge functions of 16 triangles into `table`. @return a bit for each that the frustum does not cull
 HWY_INLINE unsigned cull_by_frustum(const CornerTable<group>& corners, const Packet& packet,
                                     const Frustum& frustum, EdgeTable& table) {
@@ -91,10 +130,18 @@ HWY_INLINE unsigned cull_by_frustum(const CornerTable<group>& corners, const Pac
     const Aim<Lanes> aim{.slopes = frustum.centre(d), .half = hn::Max(half.u, half.v)};
     unsigned survivors = 0;
     for (std::size_t first = 0; first < group; first += hn::Lanes(d)) {
-        const auto edges =
-            edge_functions(d, corners.lanes(d, 0, first, seen), corners.lanes(d, 1, first, seen),
-                           corners.lanes(d, 2, first, seen), hn::Set(d, packet.axes.sign()), aim);
-        const auto inside = may_be_inside(d, edges, {hn::Zero(d), hn::Zero(d)}, half);
+        const Vec3<Lanes> a = corners.lanes(d, 0, first, seen), b = corners.lanes(d, 1, first, seen),
+                          c = corners.lanes(d, 2, first, seen);
+        const Lanes sign = hn::Set(d, packet.axes.sign());
+        const auto edges = edge_functions(d, a, b, c, sign, aim);
+        const SlopeBox box = slope_box(d, a, b, c, sign, aim.slopes);
+        hn::Store(box.low_u, d, table.low_u + first);
+        hn::Store(box.high_u, d, table.high_u + first);
+        hn::Store(box.low_v, d, table.low_v + first);
+        hn::Store(box.high_v, d, table.high_v + first);
+        const auto in_box = hn::And(hn::And(hn::Le(box.low_u, half.u), hn::Ge(box.high_u, hn::Neg(half.u))),
+                                    hn::And(hn::Le(box.low_v, half.v), hn::Ge(box.high_v, hn::Neg(half.v))));
+        const auto inside = hn::And(in_box, may_be_inside(d, edges, {hn::Zero(d), hn::Zero(d)}, half));
         const auto in_reach = hn::And(hn::Le(edges.depth_min, hn::Set(d, frustum.far_depth)),
                                       hn::Ge(edges.depth_max, hn::Set(d, frustum.near_depth)));
         survivors |= bits_of(d, hn::And(inside, in_reach)) << first;
@@ -130,6 +177,47 @@ HWY_INLINE EdgeFunctions<Lanes> broadcast(const EdgeTable& table, int triangle) 
     edges.depth_max = hn::Set(d, table.depth_max[triangle]);
     return edges;
 }
+
+/// The blocks as a triangle's box meets them: slopes less the aim's.
+struct alignas(64) BlockBoxes {
+    float low_u[blocks_per_packet], high_u[blocks_per_packet], low_v[blocks_per_packet],
+        high_v[blocks_per_packet];
+
+    BlockBoxes(const Packet& packet, const Slopes<Lanes>& aim) {
+        const LaneTag d;
+        for (std::size_t first = 0; first < blocks_per_packet; first += hn::Lanes(d)) {
+            const Lanes u = hn::Sub(hn::Load(d, packet.centre_u + first), aim.u);
+            const Lanes v = hn::Sub(hn::Load(d, packet.centre_v + first), aim.v);
+            const Lanes half_u = hn::Load(d, packet.half_u + first);
+            const Lanes half_v = hn::Load(d, packet.half_v + first);
+            hn::Store(hn::Sub(u, half_u), d, low_u + first);
+            hn::Store(hn::Add(u, half_u), d, high_u + first);
+            hn::Store(hn::Sub(v, half_v), d, low_v + first);
+            hn::Store(hn::Add(v, half_v), d, high_v + first);
+        }
+    }
+
+    /// @return a bit for each block whose box and reach overlap the triangle's
+    [[nodiscard]] HWY_INLINE BlockMask touched_by(const EdgeTable& table, int triangle,
+                                                  const Packet& packet) const {
+        const LaneTag d;
+        const Lanes least_u = hn::Set(d, table.low_u[triangle]), most_u = hn::Set(d, table.high_u[triangle]);
+        const Lanes least_v = hn::Set(d, table.low_v[triangle]), most_v = hn::Set(d, table.high_v[triangle]);
+        const Lanes nearest = hn::Set(d, table.depth_min[triangle]);
+        const Lanes farthest = hn::Set(d, table.depth_max[triangle]);
+        BlockMask blocks = 0;
+        for (std::size_t first = 0; first < blocks_per_packet; first += hn::Lanes(d)) {
+            const auto in_u = hn::And(hn::Le(least_u, hn::Load(d, high_u + first)),
+                                      hn::Ge(most_u, hn::Load(d, low_u + first)));
+            const auto in_v = hn::And(hn::Le(least_v, hn::Load(d, high_v + first)),
+                                      hn::Ge(most_v, hn::Load(d, low_v + first)));
+            const auto in_reach = hn::And(hn::Le(nearest, hn::Load(d, packet.far_depth + first)),
+                                          hn::Ge(farthest, hn::Load(d, packet.near_depth + first)));
+            blocks |= BlockMask{bits_of(d, hn::And(hn::And(in_u, in_v), in_reach))} << first;
+        }
+        return blocks;
+    }
+};
 
 /// One triangle against all blocks, a lane a block. @return a bit for each block that must look closer
 HWY_INLINE BlockMask blocks_that_may_hit(const Packet& packet, const Slopes<Lanes>& aim,
@@ -200,6 +288,7 @@ template <Wanted wanted>
 void intersect(const GridScene& scene, Packet& packet, BlockMask& active, const Frustum& frustum,
                Candidates& candidates, TraceReport& report) {
     const Slopes<Lanes> aim = frustum.centre(LaneTag());
+    const BlockBoxes boxes(packet, aim);
     // While one group is worked on, the corners of the next are on their way.
     CornerTable<group> tables[2];
     EdgeTable edge_table;
@@ -218,9 +307,14 @@ void intersect(const GridScene& scene, Packet& packet, BlockMask& active, const 
         survivors &= (1u << count) - 1u;
         for (; survivors != 0; survivors &= survivors - 1) {
             const int i = std::countr_zero(survivors);
+            BlockMask blocks = active;
+            if (HWY_LIKELY(scene.packets.culling)) blocks &= boxes.touched_by(edge_table, i, packet);
+            if (blocks == 0) continue;
             const auto edges = broadcast(edge_table, i);
-            BlockMask blocks =
-                HWY_LIKELY(scene.packets.culling) ? blocks_that_may_hit(packet, aim, edges) & active : active;
+            // What lies across many blocks is long and thin: few of them are near it.
+            if (std::popcount(blocks) > few_blocks && scene.packets.culling) {
+                blocks &= blocks_that_may_hit(packet, aim, edges);
+            }
             report.triangle_tests += static_cast<std::uint64_t>(std::popcount(blocks)) * rays_per_block;
             for (; blocks != 0; blocks &= blocks - 1) {
                 const int block = std::countr_zero(blocks);
