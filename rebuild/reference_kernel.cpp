@@ -10,6 +10,8 @@
 #include "rebuild/triangle_slabs-inl.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::rebuild {
@@ -24,14 +26,15 @@ struct LaneTriangle {
 
     [[nodiscard]] HWY_INLINE Four min() const { return hn::Min(a, hn::Min(b, c)); }
     [[nodiscard]] HWY_INLINE Four max() const { return hn::Max(a, hn::Max(b, c)); }
+    /// Magnitudes are ordered as their bits are, with NaN behind all numbers.
     [[nodiscard]] HWY_INLINE bool traceable() const {
-        const FourTag d;
-        const Four limit = hn::Set(d, largest_coordinate);
-        const auto within =
-            hn::And(hn::Le(hn::Abs(a), limit), hn::And(hn::Le(hn::Abs(b), limit), hn::Le(hn::Abs(c), limit)));
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(d, within, bits);
-        return (bits[0] & 7u) == 7u;
+        const hn::RebindToSigned<FourTag> di;
+        HWY_ALIGN constexpr std::int32_t magnitude_bits[4] = {0x7fffffff, 0x7fffffff, 0x7fffffff, 0};
+        const auto bits = hn::Load(di, magnitude_bits);
+        const auto size = [&](Four point) { return hn::And(hn::BitCast(di, point), bits); };
+        const auto largest = hn::Max(size(a), hn::Max(size(b), size(c)));
+        return hn::AllFalse(di,
+                            hn::Gt(largest, hn::Set(di, std::bit_cast<std::int32_t>(largest_coordinate))));
     }
 };
 
