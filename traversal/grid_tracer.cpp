@@ -18,6 +18,7 @@ using Range = tbb::blocked_range<std::size_t>;
 
 constexpr std::size_t rays_per_task = 1024;  // one by one
 constexpr std::size_t packets_per_task = 4;
+constexpr std::size_t references_per_ray = 2;  // of more, their boxes cost more than they save
 
 /// Runs `trace(begin, end)` over pieces of [0, count) in parallel. The reports are integers, so their sum
 /// does not depend on the order.
@@ -41,6 +42,7 @@ GridTracer::GridTracer(const rebuild::ResolutionPolicy& resolution, Traversal tr
 
 rebuild::BuildReport GridTracer::rebuild(const rebuild::TriangleView& triangles) {
     triangles_ = triangles;
+    occupied_known_ = boxes_known_ = false;
     rebuild::BuildReport report = builder_.rebuild(triangles);
     if (packets_.macrocells) {
         const auto begun = std::chrono::steady_clock::now();
@@ -56,8 +58,9 @@ TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
     hits.resize(rays.size());
     const GridScene scene = begin(rays);
     if (!in_packets(rays)) {
+        const CellDigest cells = digest(rays.size());
         return trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t first, std::size_t last) {
-            return closest_one_by_one(scene, rays, resumed_, first, last, hits);
+            return closest_one_by_one(scene, cells, rays, resumed_, first, last, hits);
         });
     }
     const bool sorts = rays.order != RayOrder::coherent;
@@ -72,8 +75,9 @@ TraceReport GridTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded)
     occluded.resize(rays.size());
     const GridScene scene = begin(rays);
     if (!in_packets(rays)) {
+        const CellDigest cells = digest(rays.size());
         return trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t first, std::size_t last) {
-            return any_one_by_one(scene, rays, resumed_, first, last, occluded);
+            return any_one_by_one(scene, cells, rays, resumed_, first, last, occluded);
         });
     }
     TraceReport report;
@@ -108,6 +112,20 @@ GridScene GridTracer::begin(const RayBatch& rays) {
             .triangles = triangles_,
             .packets = packets_,
             .macrocells = packets_.macrocells ? &macrocells_ : nullptr};
+}
+
+/// Only single rays ask for them, so whoever has none does not pay.
+CellDigest GridTracer::digest(std::size_t rays) {
+    if (!occupied_known_) occupied_.rebuild(builder_.grid());
+    occupied_known_ = true;
+    if (!boxes_known_) {
+        std::size_t references = 0;
+        for (const rebuild::GridLevel& level : builder_.grid().levels) references += level.references.size();
+        if (rays < references / references_per_ray) return {.occupied = occupied_};
+        boxes_.rebuild(builder_.grid(), triangles_);
+        boxes_known_ = true;
+    }
+    return {.occupied = occupied_, .boxes = &boxes_};
 }
 
 bool GridTracer::in_packets(const RayBatch& rays) const {

@@ -6,6 +6,7 @@
 #include "traversal/grid_scene.h"
 #include "traversal/ray_sort.h"
 #include "traversal/resumed_rays.h"
+#include "traversal/single_ray_kernel.h"
 #include "traversal/tracer.h"
 
 namespace gridreel::traversal {
@@ -27,6 +28,7 @@ public:
 
 private:
     [[nodiscard]] GridScene begin(const RayBatch& rays);
+    [[nodiscard]] CellDigest digest(std::size_t rays);
     [[nodiscard]] bool in_packets(const RayBatch& rays) const;
     /// Leaves rays `undecided` that are better sorted.
     TraceReport any_as_they_come(const GridScene& scene, const RayBatch& rays, OcclusionBatch& occluded);
@@ -35,6 +37,10 @@ private:
     PacketOptions packets_;
     rebuild::GridBuilder builder_;
     rebuild::Macrocells macrocells_;
+    OccupiedCells occupied_;
+    ReferenceBoxes boxes_;
+    bool occupied_known_ = false;  ///< of the grid as it is
+    bool boxes_known_ = false;     ///< too
     rebuild::TriangleView triangles_;
     ResumedRays resumed_;
     RaySort ray_sort_;

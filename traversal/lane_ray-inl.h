@@ -12,6 +12,7 @@
 #include "traversal/ray_frame.h"
 #include "traversal/triangle-inl.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -27,29 +28,80 @@ public:
     LaneRay(const glm::vec3& origin, const RayFrame& ray) : seen_(origin, ray.axes), ray_(ray) {}
 
     /// Depths of the hits, wherever on the ray's line, or NaN.
-    /// @param count  1 to `width`
-    /// @param best   hits behind it may be left out
-    void meet_triangles(const rebuild::TriangleView& view, const std::uint32_t* triangles, std::size_t count,
-                        float best, float* depths) const {
+    /// @param count   1 to `width`
+    /// @param best    hits behind it may be left out
+    /// @param depths  room for `width`
+    /// @return a bit for each triangle that is hit
+    HWY_INLINE unsigned meet_triangles(const rebuild::TriangleView& view, const std::uint32_t* triangles,
+                                       std::size_t count, float best, float* depths) const {
         const hn::CappedTag<float, width> d;
-        CornerTable<width> corners;
-        corners.gather(view, triangles, count);
+        const rebuild::HWY_NAMESPACE::PositionReader positions(view.positions);
         const auto sign = hn::Set(d, ray_.axes.sign());
         const Slopes<hn::Vec<decltype(d)>> slopes{hn::Set(d, ray_.slope_u), hn::Set(d, ray_.slope_v)};
+        unsigned met_bits = 0;
         for (std::size_t first = 0; first < count; first += hn::Lanes(d)) {
+            glm::uvec3 indices[width];  // the last triangle fills what is left
+            for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+                indices[i] = view.triangles[triangles[std::min(first + i, count - 1)]];
+            }
             const auto decide = [&](std::size_t lane) {
-                const auto point = [&](int which) { return corners.point(which, first + lane, seen_); };
+                const auto point = [&](int which) {
+                    const glm::vec3& p = view.positions[indices[lane][which]];
+                    const auto along = [&](std::size_t i) {
+                        return p[seen_.axes[i]] - seen_.origin[seen_.axes[i]];
+                    };
+                    return FramedPoint{.k = along(0), .u = along(1), .v = along(2)};
+                };
                 return meet_in_double(point(0), point(1), point(2), ray_.axes.sign(), ray_.slope_u,
                                       ray_.slope_v);
             };
             const auto met =
-                meet_one_ray(d, corners.lanes(d, 0, first, seen_), corners.lanes(d, 1, first, seen_),
-                             corners.lanes(d, 2, first, seen_), sign, slopes, hn::Set(d, best), decide);
+                meet_one_ray(d, corners(d, positions, indices, 0), corners(d, positions, indices, 1),
+                             corners(d, positions, indices, 2), sign, slopes, hn::Set(d, best), decide);
             hn::StoreU(hn::IfThenElse(met.inside, met.depth, hn::NaN(d)), d, depths + first);
+            if (HWY_LIKELY(hn::AllFalse(d, met.inside))) continue;
+            std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(d, met.inside, bits);
+            met_bits |= static_cast<unsigned>(bits[0]) << first;
         }
+        return met_bits & ((1u << count) - 1);
     }
 
 private:
+    /// One corner of as many triangles as there are lanes. Positions are transposed in registers: reading
+    /// whole what was just written in parts would wait for the parts.
+    template <class D, class V = hn::Vec<D>>
+    HWY_INLINE Vec3<V> corners(D d, const rebuild::HWY_NAMESPACE::PositionReader& positions,
+                               const glm::uvec3* indices, int which) const {
+        const auto row = [&](std::size_t i) HWY_ATTR { return positions.at(indices[i][which]); };
+        V axis[3];
+        transpose(d, row, axis);
+        const auto along = [&](std::size_t i) HWY_ATTR {
+            return hn::Sub(axis[seen_.axes[i]], hn::Set(d, seen_.origin[seen_.axes[i]]));
+        };
+        return {along(0), along(1), along(2)};
+    }
+
+    /// x, y and z of the rows, one a lane.
+    template <class D, class Row, class V = hn::Vec<D>>
+    static HWY_INLINE void transpose(D d, const Row& row, V* axis) {
+        const hn::Repartition<double, D> pairs;
+        V r[4];
+        for (std::size_t i = 0; i < 4; ++i) {
+            if constexpr (hn::MaxLanes(D()) == 8) {
+                r[i] = hn::Combine(d, row(i + 4), row(i));
+            } else {
+                r[i] = row(i);
+            }
+        }
+        const V low01 = hn::InterleaveLower(d, r[0], r[1]), low23 = hn::InterleaveLower(d, r[2], r[3]);
+        const V high01 = hn::InterleaveUpper(d, r[0], r[1]), high23 = hn::InterleaveUpper(d, r[2], r[3]);
+        const auto halves = [&](const V& v) HWY_ATTR { return hn::BitCast(pairs, v); };
+        axis[0] = hn::BitCast(d, hn::InterleaveLower(pairs, halves(low01), halves(low23)));
+        axis[1] = hn::BitCast(d, hn::InterleaveUpper(pairs, halves(low01), halves(low23)));
+        axis[2] = hn::BitCast(d, hn::InterleaveLower(pairs, halves(high01), halves(high23)));
+    }
+
     Viewpoint seen_;
     RayFrame ray_;
 };

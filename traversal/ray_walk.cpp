@@ -3,80 +3,40 @@
 #include "rebuild/triangle_view.h"
 #include "traversal/rounding.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace gridreel::traversal {
+namespace {
 
-RayWalk::RayWalk(const rebuild::UniformGrid& grid, const glm::vec3& origin, const RayFrame& ray) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (grid.bounds.empty() || ray.hits_nothing() || !rebuild::is_traceable(origin)) return;
+/// Stands for a slope of 0: its inverse times any distance between two floats is still finite, and but for
+/// a distance of 0 beyond any grid.
+constexpr double no_slope = 1e-100;
 
-    glm::dvec3 slope{0.0};
+}  // namespace
+
+RayLine::RayLine(const glm::vec3& from, const RayFrame& ray) : origin(from), slope(1.0), depth_per_m(1.0) {
+    if (ray.hits_nothing() || !rebuild::is_traceable(from)) return;
     slope[ray.axes.k] = ray.axes.sign();
-    slope[ray.axes.u()] = ray.slope_u;
-    slope[ray.axes.v()] = ray.slope_v;
-
-    // Clip the ray against the box.
+    slope[ray.axes.u()] = ray.slope_u == 0.0f ? no_slope : double(ray.slope_u);
+    slope[ray.axes.v()] = ray.slope_v == 0.0f ? no_slope : double(ray.slope_v);
+    depth_per_m = 1.0 / slope;
     // A hit just behind depth_min may be rounded beyond it from a cell before.
-    double enter = double(ray.depth_min) * (1.0 - depth_error);
-    double leave = ray.depth_max;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double low = double(grid.bounds.min[axis]) - double(origin[axis]);
-        const double high = double(grid.bounds.max[axis]) - double(origin[axis]);
-        if (slope[axis] == 0.0) {
-            if (low > 0.0 || high < 0.0) return;
-            continue;
-        }
-        const double a = low / slope[axis];
-        const double b = high / slope[axis];
-        enter = std::max(enter, std::min(a, b));
-        leave = std::min(leave, std::max(a, b));
-    }
-    if (!(enter <= leave)) return;
-
-    // The first cell, and the planes ahead of it.
-    const std::array<std::ptrdiff_t, 3> strides{
-        1, grid.resolution.x, std::ptrdiff_t{grid.resolution.x} * std::ptrdiff_t{grid.resolution.y}};
-    auto cell = static_cast<std::ptrdiff_t>(grid.first_cell);
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<std::size_t>(axis);
-        const double low = grid.bounds.min[axis];
-        const double at = double(origin[axis]) + enter * slope[axis];
-        const int last = grid.resolution[axis] - 1;
-        const int index =
-            static_cast<int>(std::clamp(std::floor((at - low) / grid.cell_size[axis]), 0.0, double(last)));
-        cell += index * strides[i];
-        const bool up = slope[axis] > 0.0;
-        steps_left_[i] = up ? last - index : index;
-        stride_[i] = up ? strides[i] : -strides[i];
-        if (slope[axis] == 0.0) {
-            next_plane_[i] = plane_distance_[i] = infinity;
-            continue;
-        }
-        const double plane = low + (index + (up ? 1 : 0)) * grid.cell_size[axis];
-        next_plane_[i] = (plane - double(origin[axis])) / slope[axis];
-        plane_distance_[i] = grid.cell_size[axis] / std::fabs(slope[axis]);
-    }
-    cell_ = static_cast<std::size_t>(cell);
-    inside_ = true;
-    find_nearest();
+    depth_min = double(ray.depth_min) * (1.0 - depth_error);
+    depth_max = ray.depth_max;
 }
 
 void RayWalk::advance() {
-    if (steps_left_[nearest_]-- == 0) {
-        inside_ = false;
+    at_.steps_left -= WalkStart::step_unit[nearest_];
+    if ((at_.steps_left & WalkStart::out_of_grid) != WalkStart::out_of_grid) {
+        at_.inside = false;
         return;
     }
-    cell_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell_) + stride_[nearest_]);
-    next_plane_[nearest_] += plane_distance_[nearest_];
+    at_.cell = static_cast<std::size_t>(static_cast<std::int64_t>(at_.cell) + at_.stride[nearest_]);
+    at_.next_plane[nearest_] += at_.plane_distance[nearest_];
     find_nearest();
 }
 
 void RayWalk::find_nearest() {
-    nearest_ = next_plane_[0] <= next_plane_[1] ? 0 : 1;
-    if (next_plane_[2] < next_plane_[nearest_]) nearest_ = 2;
+    nearest_ = at_.next_plane[0] <= at_.next_plane[1] ? 0 : 1;
+    if (at_.next_plane[2] < at_.next_plane[nearest_]) nearest_ = 2;
 }
 
 }  // namespace gridreel::traversal

@@ -6,14 +6,18 @@
 
 #include <hwy/highway.h>
 
+#include "traversal/cell_pieces-inl.h"
 #include "traversal/lane_ray-inl.h"
+#include "traversal/lane_walk-inl.h"
 #include "traversal/naive_kernel.h"
 #include "traversal/packet_load-inl.h"
 #include "traversal/packet_march-inl.h"
-#include "traversal/ray_walk.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
@@ -24,13 +28,20 @@ class RayMailbox {
 public:
     void next_ray() { ++ray_; }
 
-    /// Whether this ray has not met `triangle` yet; forgetful, never wrong about "met".
-    bool first_meeting(std::uint32_t triangle) {
-        std::uint64_t& entry = entries_[triangle % entries_.size()];
-        const std::uint64_t mark = ray_ << 32 | triangle;
-        if (entry == mark) return false;
-        entry = mark;
-        return true;
+    /// Writes those of `count` triangles that this ray has not met yet, and whatever it likes behind them;
+    /// forgetful, never wrong about "met".
+    /// @param unmet  room for `count`
+    /// @return how many they are
+    std::size_t first_meetings(const std::uint32_t* triangles, std::size_t count, std::uint32_t* unmet) {
+        std::size_t unmet_count = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            std::uint64_t& entry = entries_[triangles[i] % entries_.size()];
+            const std::uint64_t mark = ray_ << 32 | triangles[i];
+            unmet[unmet_count] = triangles[i];
+            unmet_count += entry != mark ? 1 : 0;
+            entry = mark;
+        }
+        return unmet_count;
     }
 
 private:
@@ -42,20 +53,22 @@ private:
 template <Wanted wanted>
 class SingleWalk {
 public:
-    SingleWalk(const GridScene& scene, const glm::vec3& origin, const RayFrame& ray, RayMailbox& mailbox,
-               TraceReport& report)
+    SingleWalk(const GridScene& scene, const CellDigest& cells, const glm::vec3& origin, const RayFrame& ray,
+               RayMailbox& mailbox, TraceReport& report)
         : scene_(scene),
-          origin_(origin),
+          cells_(cells),
+          line_(origin, ray),
           ray_(ray),
           lane_ray_(origin, ray),
           mailbox_(mailbox),
           report_(report),
           hit_{.depth = ray.depth_max} {
         mailbox_.next_ray();
+        update_reach();
     }
 
     DepthHit run() {
-        (void)walk(0, 0);
+        if (!walk(0, 0)) (void)meet_waiting();
         return hit_;
     }
 
@@ -63,59 +76,108 @@ private:
     /// @return whether nothing more is wanted
     bool walk(std::size_t depth, std::size_t index) {
         const rebuild::GridLevel& level = scene_.grid.levels[depth];
-        for (RayWalk at(level.grids[index], origin_, ray_); at.inside(); at.advance()) {
+        const std::uint64_t* const occupied = cells_.occupied.level(depth);
+        const WalkStart start(level.grids[index], line_);
+        if (!start.inside) return false;
+        const RayPlaces places(level.grids[index], line_);
+        double entry = start.enter_depth;
+        for (LaneWalk at(start); at.inside(); at.advance()) {
+            const double exit = at.exit_depth();
             ++report_.cells;
-            const std::uint32_t begin = level.cell_begin[at.cell()], end = level.cell_begin[at.cell() + 1];
-            if (begin < end && (level.references[begin] & rebuild::nested_mark) != 0) {
-                if (walk(depth + 1, level.references[begin] & ~rebuild::nested_mark)) return true;
-            } else if (meet(level.references.data() + begin, end - begin)) {
-                return true;
+            if (OccupiedCells::is_set(occupied, at.cell())) {
+                const std::uint32_t begin = level.cell_begin[at.cell()];
+                const std::uint32_t end = level.cell_begin[at.cell() + 1];
+                if ((level.references[begin] & rebuild::nested_mark) != 0) {
+                    if (walk(depth + 1, level.references[begin] & ~rebuild::nested_mark)) return true;
+                } else if (cells_.boxes == nullptr || end - begin < ReferenceBoxes::least_count) {
+                    if (take(level.references.data() + begin, end - begin)) return true;
+                } else {
+                    const CellPieces pieces(places, at.steps_left(), entry,
+                                            std::max(entry, std::min(exit, reach_)));
+                    if (take_near(level, cells_.boxes->level(depth), pieces, begin, end)) return true;
+                }
             }
             // A hit beyond this cell is kept, but a nearer one may wait in the cells between.
-            if (double(hit_.depth) * (1.0 + depth_error) <= at.exit_depth()) break;
+            if (reach_ <= exit) break;
+            entry = exit;
         }
         return false;
     }
 
-    /// The triangles of one cell.
+    /// Lets the triangles of one cell wait, and tests those that fill a pass.
     /// @return whether nothing more is wanted
-    bool meet(const std::uint32_t* triangles, std::size_t count) {
-        std::uint32_t waiting[LaneRay::width];
-        std::size_t waiting_count = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            if (!mailbox_.first_meeting(triangles[i])) continue;
-            waiting[waiting_count++] = triangles[i];
-            if (waiting_count < LaneRay::width) continue;
-            if (meet_waiting(waiting, waiting_count)) return true;
-            waiting_count = 0;
+    bool take(const std::uint32_t* triangles, std::size_t count) {
+        while (count > 0) {
+            const std::size_t some = std::min(count, capacity - waiting_count_);
+            waiting_count_ += mailbox_.first_meetings(triangles, some, waiting_ + waiting_count_);
+            triangles += some;
+            count -= some;
+            if (waiting_count_ >= worth_testing && meet_waiting()) return true;
         }
-        return waiting_count > 0 && meet_waiting(waiting, waiting_count);
+        return false;
     }
 
-    bool meet_waiting(const std::uint32_t* triangles, std::size_t count) {
-        report_.triangle_tests += count;
+    /// As `take`, for those of references [begin, end) whose boxes the ray comes near.
+    bool take_near(const rebuild::GridLevel& level, const ReferenceBoxes::Level& boxes,
+                   const CellPieces& pieces, std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t first = begin; first < end; first += CellPieces::width) {
+            std::uint32_t near = pieces.near(boxes, first);
+            if (end - first < CellPieces::width) near &= (std::uint32_t{1} << (end - first)) - 1;
+            std::uint32_t triangles[CellPieces::width];
+            std::size_t count = 0;
+            for (; near != 0; near &= near - 1) {
+                triangles[count++] =
+                    level.references[first + static_cast<std::uint32_t>(std::countr_zero(near))];
+            }
+            if (take(triangles, count)) return true;
+        }
+        return false;
+    }
+
+    /// @return whether nothing more is wanted
+    bool meet_waiting() {
+        report_.triangle_tests += waiting_count_;
+        const std::size_t count = std::exchange(waiting_count_, 0);
+        for (std::size_t first = 0; first < count; first += LaneRay::width) {
+            if (meet(waiting_ + first, std::min(count - first, LaneRay::width))) return true;
+        }
+        return false;
+    }
+
+    bool meet(const std::uint32_t* triangles, std::size_t count) {
         HWY_ALIGN float depths[LaneRay::width];
-        lane_ray_.meet_triangles(scene_.triangles, triangles, count, hit_.depth, depths);
-        for (std::size_t i = 0; i < count; ++i) {
+        unsigned met = lane_ray_.meet_triangles(scene_.triangles, triangles, count, hit_.depth, depths);
+        for (; HWY_UNLIKELY(met != 0); met &= met - 1) {
+            const int i = std::countr_zero(met);
             const float depth = depths[i];
             const bool begun =
                 depth > ray_.depth_min || (depth == ray_.depth_min && triangles[i] > ray_.after);
             if (!(begun && depth < ray_.depth_max)) continue;
             if (depth < hit_.depth || (depth == hit_.depth && triangles[i] < hit_.triangle)) {
                 hit_ = {.depth = depth, .triangle = triangles[i]};
+                update_reach();
             }
             if (wanted == Wanted::any) return true;
         }
         return false;
     }
 
+    void update_reach() { reach_ = double(hit_.depth) * (1.0 + depth_error); }
+
+    static constexpr std::size_t capacity = 64;
+    static constexpr std::size_t worth_testing = 4;
+
     const GridScene& scene_;
-    const glm::vec3 origin_;
+    const CellDigest& cells_;
+    const RayLine line_;
     const RayFrame& ray_;
     LaneRay lane_ray_;
     RayMailbox& mailbox_;
     TraceReport& report_;
     DepthHit hit_;
+    double reach_ = 0.0;  ///< cells that begin behind it hold nothing nearer
+    std::size_t waiting_count_ = 0;
+    std::uint32_t waiting_[capacity];
 };
 
 /// The ray as a packet of its own, whose width makes up for the rounding of corners as far away as its are.
@@ -129,8 +191,8 @@ DepthHit march_alone(const GridScene& scene, const PacketSource& source, std::ui
 }
 
 template <Wanted wanted, class Store>
-TraceReport trace(const GridScene& scene, const RayBatch& rays, const ResumedRays& resumed, std::size_t begin,
-                  std::size_t end, const Store& store) {
+TraceReport trace(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
+                  const ResumedRays& resumed, std::size_t begin, std::size_t end, const Store& store) {
     TraceReport report{.rays = end - begin};
     RayMailbox mailbox;
     Packet packet;
@@ -148,24 +210,27 @@ TraceReport trace(const GridScene& scene, const RayBatch& rays, const ResumedRay
         store(i, ray,
               far ? march_alone<wanted>(scene, source, static_cast<std::uint32_t>(i), ray.axes, packet,
                                         candidates, report)
-                  : SingleWalk<wanted>(scene, origin, ray, mailbox, report).run());
+                  : SingleWalk<wanted>(scene, cells, origin, ray, mailbox, report).run());
     }
     return report;
 }
 
-TraceReport closest_one_by_one(const GridScene& scene, const RayBatch& rays, const ResumedRays& resumed,
-                               std::size_t begin, std::size_t end, HitBatch& hits) {
-    return trace<Wanted::closest>(
-        scene, rays, resumed, begin, end, [&](std::size_t i, const RayFrame& ray, const DepthHit& hit) {
-            const bool missed = hit.triangle == no_triangle;
-            hits.t[i] = missed ? std::numeric_limits<float>::infinity() : ray.t_of(hit.depth);
-            hits.triangle[i] = hit.triangle;
-        });
+TraceReport closest_one_by_one(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
+                               const ResumedRays& resumed, std::size_t begin, std::size_t end,
+                               HitBatch& hits) {
+    return trace<Wanted::closest>(scene, cells, rays, resumed, begin, end,
+                                  [&](std::size_t i, const RayFrame& ray, const DepthHit& hit) {
+                                      const bool missed = hit.triangle == no_triangle;
+                                      hits.t[i] = missed ? std::numeric_limits<float>::infinity()
+                                                         : ray.t_of(hit.depth);
+                                      hits.triangle[i] = hit.triangle;
+                                  });
 }
 
-TraceReport any_one_by_one(const GridScene& scene, const RayBatch& rays, const ResumedRays& resumed,
-                           std::size_t begin, std::size_t end, OcclusionBatch& occluded) {
-    return trace<Wanted::any>(scene, rays, resumed, begin, end,
+TraceReport any_one_by_one(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
+                           const ResumedRays& resumed, std::size_t begin, std::size_t end,
+                           OcclusionBatch& occluded) {
+    return trace<Wanted::any>(scene, cells, rays, resumed, begin, end,
                               [&](std::size_t i, const RayFrame&, const DepthHit& hit) {
                                   occluded[i] = hit.triangle != no_triangle;
                               });
@@ -181,14 +246,16 @@ namespace gridreel::traversal {
 HWY_EXPORT(closest_one_by_one);
 HWY_EXPORT(any_one_by_one);
 
-TraceReport closest_one_by_one(const GridScene& scene, const RayBatch& rays, const ResumedRays& resumed,
-                               std::size_t begin, std::size_t end, HitBatch& hits) {
-    return HWY_DYNAMIC_DISPATCH(closest_one_by_one)(scene, rays, resumed, begin, end, hits);
+TraceReport closest_one_by_one(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
+                               const ResumedRays& resumed, std::size_t begin, std::size_t end,
+                               HitBatch& hits) {
+    return HWY_DYNAMIC_DISPATCH(closest_one_by_one)(scene, cells, rays, resumed, begin, end, hits);
 }
 
-TraceReport any_one_by_one(const GridScene& scene, const RayBatch& rays, const ResumedRays& resumed,
-                           std::size_t begin, std::size_t end, OcclusionBatch& occluded) {
-    return HWY_DYNAMIC_DISPATCH(any_one_by_one)(scene, rays, resumed, begin, end, occluded);
+TraceReport any_one_by_one(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
+                           const ResumedRays& resumed, std::size_t begin, std::size_t end,
+                           OcclusionBatch& occluded) {
+    return HWY_DYNAMIC_DISPATCH(any_one_by_one)(scene, cells, rays, resumed, begin, end, occluded);
 }
 
 }  // namespace gridreel::traversal
