@@ -46,11 +46,17 @@ PhaseFigures ray_phase(std::string_view name, const Competitor& competitor, cons
     PhaseFigures figures =
         timed_phase(name, competitor, [&](const BenchmarkRun& run) { return cost(run).ms; });
     std::vector<double> rates;
+    traversal::TraceReport all;
     for (const BenchmarkRun& run : competitor.runs) {
         const TraceCost& wave = cost(run);
+        all += wave.report;
         rates.push_back(wave.ms > 0.0 ? double(wave.report.rays) / wave.ms * 1e3 : 0.0);
     }
     figures.rays_per_second = spread_of(std::move(rates)).median;
+    if (all.rays > 0) {
+        figures.cells_per_ray = double(all.cells) / double(all.rays);
+        figures.tests_per_ray = double(all.triangle_tests) / double(all.rays);
+    }
     return figures;
 }
 

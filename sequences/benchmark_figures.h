@@ -19,7 +19,9 @@ struct PhaseFigures {
     double median_ms = 0.0, min_ms = 0.0;
     double p95_ms = 0.0;           ///< 95 of 100 runs are as quick (nearest rank)
     double rays_per_second = 0.0;  ///< median; 0 for phases without rays
-    std::string way;               ///< in which rays were traced, where there was a choice
+    double cells_per_ray = 0.0;  ///< mean of all runs, as `traversal::TraceReport` counts: of packets, shared
+    double tests_per_ray = 0.0;  ///< ray-triangle intersections; both 0 where nothing is counted
+    std::string way;             ///< in which rays were traced, where there was a choice
 };
 
 struct CompetitorFigures {

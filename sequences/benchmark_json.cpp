@@ -58,6 +58,10 @@ Json entry(const SceneFigures& scene, const CompetitorFigures& competitor, const
               {"min", phase.min_ms},
               {"p95", phase.p95_ms}};
     if (phase.rays_per_second > 0.0) json["items_per_second"] = phase.rays_per_second;
+    if (phase.cells_per_ray > 0.0 || phase.tests_per_ray > 0.0) {
+        json["cells_per_ray"] = phase.cells_per_ray;
+        json["triangle_tests_per_ray"] = phase.tests_per_ray;
+    }
     if (!phase.way.empty()) json["rays"] = phase.way;
     if (phase.name == "rebuild") {
         json["triangles"] = {{"moving", scene.moving_triangles}, {"still", scene.still_triangles}};

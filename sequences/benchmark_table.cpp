@@ -27,8 +27,16 @@ bool has_rays(std::string_view phase) {
     return std::find(ray_phases.begin(), ray_phases.end(), phase) != ray_phases.end();
 }
 
-std::string heading(const CompetitorFigures& any) {
-    std::string text = fmt::format("{:<22}{:>7}  {:<6}", "ms", "threads", "");
+/// How wide the first column is.
+std::size_t name_width(const SceneFigures& figures) {
+    std::size_t width = 22;
+    for (const CompetitorFigures& competitor : figures.competitors)
+        width = std::max(width, competitor.name.size() + 1);
+    return width;
+}
+
+std::string heading(const CompetitorFigures& any, std::size_t width) {
+    std::string text = fmt::format("{:<{}}{:>7}  {:<6}", "ms", width, "threads", "");
     for (const PhaseFigures& phase : any.phases) text += fmt::format(" {:>9}", phase.name);
     text += "  |";
     for (const PhaseFigures& phase : any.phases) {
@@ -37,16 +45,17 @@ std::string heading(const CompetitorFigures& any) {
     return text + " Mrays/s\n";
 }
 
-std::string times(const CompetitorFigures& competitor) {
-    std::string text = fmt::format("{:<22}{:>7}  {:<6}", competitor.name, competitor.threads, "median");
+std::string times(const CompetitorFigures& competitor, std::size_t width) {
+    std::string text =
+        fmt::format("{:<{}}{:>7}  {:<6}", competitor.name, width, competitor.threads, "median");
     for (const PhaseFigures& phase : competitor.phases) text += fmt::format(" {:>9.2f}", phase.median_ms);
     text += "  |";
     for (const PhaseFigures& phase : competitor.phases) {
         if (has_rays(phase.name)) text += fmt::format(" {:>8.2f}", phase.rays_per_second / 1e6);
     }
-    text += fmt::format("\n{:<31}{:<6}", "", "min");
+    text += fmt::format("\n{:<{}}{:<6}", "", width + 9, "min");
     for (const PhaseFigures& phase : competitor.phases) text += fmt::format(" {:>9.2f}", phase.min_ms);
-    text += fmt::format("\n{:<31}{:<6}", "", "p95");
+    text += fmt::format("\n{:<{}}{:<6}", "", width + 9, "p95");
     for (const PhaseFigures& phase : competitor.phases) text += fmt::format(" {:>9.2f}", phase.p95_ms);
     return text + "\n";
 }
@@ -64,6 +73,10 @@ std::string structure(const CompetitorFigures& competitor) {
                             competitor.cells, competitor.references);
     }
     for (const PhaseFigures& phase : competitor.phases) {
+        if (phase.cells_per_ray > 0.0 || phase.tests_per_ray > 0.0) {
+            text += fmt::format(", {}: {:.2f} cells and {:.2f} tests a ray", phase.name, phase.cells_per_ray,
+                                phase.tests_per_ray);
+        }
         if (!phase.way.empty()) text += fmt::format(", {} rays: {}", phase.name, phase.way);
     }
     return text + "\n";
@@ -103,8 +116,9 @@ std::string benchmark_table(const SceneFigures& figures) {
         fmt::format("{}: {} triangles moving, {} still; {} frame{}, {} runs of each competitor\n",
                     figures.scene, figures.moving_triangles, figures.still_triangles, figures.frames,
                     plural(figures.frames), figures.runs);
-    text += heading(figures.competitors.front());
-    for (const CompetitorFigures& competitor : figures.competitors) text += times(competitor);
+    const std::size_t width = name_width(figures);
+    text += heading(figures.competitors.front(), width);
+    for (const CompetitorFigures& competitor : figures.competitors) text += times(competitor, width);
     for (const CompetitorFigures& competitor : figures.competitors) text += structure(competitor);
     return text + ratio_lines(figures);
 }

@@ -3,7 +3,6 @@
 #include "engine/film.h"
 #include "engine/pixel_order.h"
 #include "engine/surface.h"
-#include "rebuild/cell_mapping.h"
 #include "rebuild/resolution.h"
 #include "rebuild/triangle_view.h"
 #include "sequences/frame_writer.h"
@@ -97,20 +96,32 @@ std::size_t texture_bytes(const anim::Scene& scene) {
 
 // --- Grid --------------------------------------------------------------------------------------
 
+/// References of one triangle that `rebuild::LevelSort` keeps room for while it finds and counts them.
+double room_per_triangle(double references_per_triangle) {
+    constexpr double least = 4.0, spare = 1.25;
+    return references_per_triangle <= least ? least : spare * references_per_triangle;
+}
+
 std::size_t grid_bytes(std::size_t triangle_count, double references_per_triangle, const anim::Box& bounds,
                        const rebuild::ResolutionPolicy& policy, int threads) {
     if (triangle_count == 0) return 0;
-    constexpr int most_histograms = 16;  // of `rebuild::GridBuilder`, one for each thread
+    // Of `rebuild::LevelSort`: one for each thread, if there is enough to count.
+    constexpr std::size_t most_histograms = 16, triangles_per_histogram = 1 << 13;
     // What lies farther out is in no cell.
     const glm::vec3 reach(rebuild::largest_coordinate);
     const rebuild::Bounds3 box{.min = glm::max(bounds.min, -reach), .max = glm::min(bounds.max, reach)};
     const glm::ivec3 resolution = rebuild::choose_resolution(box, triangle_count, policy);
     const std::size_t cells = static_cast<std::size_t>(resolution.x) *
                               static_cast<std::size_t>(resolution.y) * static_cast<std::size_t>(resolution.z);
-    const auto histograms = static_cast<std::size_t>(std::min(threads, most_histograms));
+    const auto histograms =
+        std::clamp<std::size_t>(triangle_count / triangles_per_histogram, 1,
+                                std::min(static_cast<std::size_t>(threads), most_histograms));
     const auto references = static_cast<std::size_t>(double(triangle_count) * references_per_triangle);
+    const auto room =
+        static_cast<std::size_t>(double(triangle_count) * room_per_triangle(references_per_triangle));
+    constexpr std::size_t cell_and_triangle = 2 * sizeof(std::uint32_t);
     return (1 + histograms) * cells * sizeof(std::uint32_t) + references * sizeof(std::uint32_t) +
-           triangle_count * sizeof(rebuild::CellRange);
+           room * cell_and_triangle;
 }
 
 // --- Pixels ------------------------------------------------------------------------------------

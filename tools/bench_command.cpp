@@ -7,8 +7,8 @@
 #include "sequences/render_text.h"
 #include "sequences/thread_count.h"
 #include "sequences/whole_file.h"
-#include "tools/accel.h"
 #include "tools/command.h"
+#include "tools/competitors.h"
 #include "tools/picture_options.h"
 #include "traversal/simd_target.h"
 
@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -35,22 +34,15 @@ namespace {
 
 using sequences::BenchmarkPhase;
 using sequences::BenchmarkPlan;
-using sequences::NamedTracer;
 using sequences::SceneFigures;
 using sequences::UsageError;
-using traversal::EmbreeQuality;
-using traversal::EmbreeRays;
-using traversal::TracerKind;
 
 /// Options as written.
 struct BenchText {
     std::vector<std::string> scene_files;
     TakeText take;
     PictureText picture{.size = "1024x1024", .samples = 1};
-    std::vector<std::string> accels{"grid"};
-    std::vector<std::string> lambdas{"auto"};
-    std::vector<std::string> embree_qualities{"low"};
-    std::string embree_rays = "auto";
+    CompetitorText competitors;
     std::vector<int> threads;
     int repeat = 5;
     int warmup = 1;
@@ -60,15 +52,8 @@ struct BenchText {
     std::string baseline, fail_if;
 };
 
-void add_comparison_options(CLI::App& app, BenchText& text) {
-    const char* const group = "What to compare";
-    app.add_option("--accel", text.accels,
-                   fmt::format("Structures: {}; the first is compared with the others", accel_names()))
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("LIST")
-        ->default_str("grid")
-        ->group(group);
+void add_measure_options(CLI::App& app, BenchText& text) {
+    const char* const group = "What to measure";
     app.add_option("-j,--threads", text.threads, "Numbers of threads")
         ->check(CLI::Range(1, 4096).description(""))
         ->delimiter(',')
@@ -76,35 +61,6 @@ void add_comparison_options(CLI::App& app, BenchText& text) {
         ->type_name("LIST")
         ->default_str("all allowed")
         ->group(group);
-    app.add_option(
-           "--lambda", text.lambdas,
-           "Grid cells per triangle: numbers, paper (5), auto (by cost, settled in the warm-up); several: a "
-           "grid for each")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("LIST")
-        ->default_str("auto")
-        ->group(group);
-    app.add_option("--embree-quality", text.embree_qualities,
-                   "Embree's hierarchy: low and medium are built every frame, refit at the clip's start; "
-                   "several: each")
-        ->check(CLI::IsMember({"low", "medium", "refit"}).description(""))
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("LIST")
-        ->default_str("low")
-        ->group(group);
-    app.add_option(
-           "--embree-rays", text.embree_rays,
-           "Rays for Embree: packets of 16, sorted first, single, or auto: each, and the quickest counts")
-        ->check(CLI::IsMember({"auto", "packets", "sorted", "single"}).description(""))
-        ->type_name("auto|packets|sorted|single")
-        ->capture_default_str()
-        ->group(group);
-}
-
-void add_measure_options(CLI::App& app, BenchText& text) {
-    const char* const group = "What to measure";
     app.add_option("--phase", text.phase,
                    "all: rebuild, then camera and shadow rays against opaque surfaces, without shading; or "
                    "only one of the two")
@@ -154,51 +110,11 @@ double parse_percent(const std::string& text) {
     return percent / 100.0;
 }
 
-/// Every grid with every λ, Embree in every quality asked for.
-std::vector<NamedTracer> read_tracers(const BenchText& text, const traversal::TracerOptions& basis) {
-    const std::map<std::string, EmbreeQuality> qualities{
-        {"low", EmbreeQuality::low}, {"medium", EmbreeQuality::medium}, {"refit", EmbreeQuality::refit}};
-    const std::map<std::string, EmbreeRays> rays{{"auto", EmbreeRays::automatic},
-                                                 {"packets", EmbreeRays::packets},
-                                                 {"sorted", EmbreeRays::sorted},
-                                                 {"single", EmbreeRays::single}};
-    std::vector<NamedTracer> tracers;
-    for (const std::string& accel : text.accels) {
-        traversal::TracerOptions options = basis;
-        options.kind = read_accel(accel);
-        if (options.kind == TracerKind::naive) {
-            tracers.push_back({.name = accel, .options = options});
-        } else if (options.kind == TracerKind::embree) {
-            for (const std::string& quality : text.embree_qualities) {
-                options.embree = {.quality = qualities.at(quality), .rays = rays.at(text.embree_rays)};
-                tracers.push_back({.name = quality == "low" ? accel : fmt::format("{}-{}", accel, quality),
-                                   .options = options});
-            }
-        } else {
-            for (const std::string& lambda : text.lambdas) {
-                set_lambda(lambda, options);
-                tracers.push_back(
-                    {.name = text.lambdas.size() == 1 ? accel : fmt::format("{}:{}", accel, lambda),
-                     .options = options});
-            }
-        }
-    }
-
-    std::set<std::string> names;
-    for (const NamedTracer& tracer : tracers) {
-        if (!names.insert(tracer.name).second) {
-            throw UsageError(fmt::format("{} is to be compared with itself", tracer.name), "--accel",
-                             "name everything once");
-        }
-    }
-    return tracers;
-}
-
 /// The plan of every scene.
 std::vector<BenchmarkPlan> read_plans(const BenchText& text) {
     BenchmarkPlan plan;
     plan.render = read_picture(text.picture);
-    plan.tracers = read_tracers(text, plan.render.tracer);
+    plan.tracers = read_competitors(text.competitors, plan.render.tracer);
     plan.threads = text.threads;
     if (plan.threads.empty()) plan.threads.push_back(sequences::allowed_threads());
     plan.repeat = text.repeat;
@@ -314,7 +230,7 @@ Command add_bench_command(CLI::App& program) {
     const auto text = std::make_shared<BenchText>();
     app->add_option("SCENE", text->scene_files, "Scenes: .glb or .gltf")->type_name("");
     add_clip_options(*app, text->take, FrameOption::offered);
-    add_comparison_options(*app, *text);
+    add_competitor_options(*app, text->competitors);
     add_measure_options(*app, *text);
     add_report_options(*app, *text);
     add_picture_options(*app, text->picture);

@@ -56,7 +56,7 @@ measured() {  # the scenes of the one measurement
 
 bench_suite_help_names_its_options_and_does_nothing() {
     bench_suite --help
-    for option in --quick --list "-o FILE" "--json FILE"; do expect "$option" "$machine/output"; done
+    for option in --quick "--scenes LIST" --list "-o FILE" "--json FILE"; do expect "$option" "$machine/output"; done
     [[ ! -s $calls ]]
 }
 
@@ -112,6 +112,16 @@ quick_bench_suite_has_no_scene_beyond_200000_triangles() {
 quick_bench_suite_measures_one_frame_against_the_quickest_builder() {
     bench_suite --quick
     expect "--accel grid,embree --embree-quality low --threads 2 --frames 20 --size" "$calls"
+}
+
+bench_suite_measures_the_scenes_asked_for() {
+    assets bart/kitchen.glb
+    bench_suite --scenes sheet-80k,kitchen,museum5
+    diff <(printf '%s\n' sheet-80k kitchen) <(measured)
+    expect "left out: museum5" "$machine/errors"
+    fails_with 2 bench_suite --scenes sheet-80k,sheet
+    expect "no scene is called 'sheet'" "$machine/errors"
+    fails_with 2 bench_suite --scenes
 }
 
 bench_suite_measures_all_scenes_in_one_run() {

@@ -1,7 +1,9 @@
 #include "sequences/benchmark_figures.h"
+#include "sequences/benchmark_json.h"
 #include "sequences/benchmark_table.h"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <string>
 #include <vector>
@@ -110,6 +112,54 @@ TEST_CASE("the 95th percentile is a value that occurred", "[sequences][benchmark
     for (int i = 40; i >= 1; --i) benchmark.competitors.front().runs.push_back(run(i, 1, {1}));
     // 38 of the 40 runs take at most 38 ms.
     CHECK(figures_of(benchmark).competitors.front().phase("rebuild")->p95_ms == 38.0);
+}
+
+TEST_CASE("operations are counted per ray, over all runs", "[sequences][benchmark]") {
+    SceneBenchmark benchmark = duel();
+    auto& grid = benchmark.competitors.at(0).runs;
+    grid.at(0).waves.primary.report = {.rays = 1000, .cells = 500, .triangle_tests = 4000};
+    grid.at(1).waves.primary.report = {.rays = 1000, .cells = 700, .triangle_tests = 6000};
+    grid.at(2).waves.primary.report = {.rays = 2000, .cells = 1600, .triangle_tests = 14'000};
+    // A rival's ways: those of the better one count.
+    auto& rival = benchmark.competitors.at(1).runs;
+    for (BenchmarkRun& each : rival) {
+        each.waves.shadow.at(0).report.triangle_tests = 500;
+        each.waves.shadow.at(1).report.triangle_tests = 1000;
+    }
+    const SceneFigures figures = figures_of(benchmark);
+    const PhaseFigures& primary = *figures.competitors.at(0).phase("primary");
+    CHECK(primary.cells_per_ray == Approx(2800.0 / 4000.0));
+    CHECK(primary.tests_per_ray == Approx(24'000.0 / 4000.0));
+    CHECK(figures.competitors.at(0).phase("shadow")->tests_per_ray == 0.0);
+    CHECK(figures.competitors.at(1).phase("shadow")->tests_per_ray == 2.0);
+
+    const std::string table = benchmark_table(figures);
+    CHECK_THAT(table, Contains("of the frame, primary: 0.70 cells and 6.00 tests a ray\n"));
+    CHECK_THAT(table, Contains("shadow: 0.00 cells and 2.00 tests a ray, shadow rays: single"));
+    const std::vector<SceneFigures> scenes{figures};
+    const auto json = nlohmann::json::parse(benchmark_json(scenes, "AVX"));
+    for (const auto& entry : json["benchmarks"]) {
+        if (entry["name"] == "knot/grid/threads:2/primary") {
+            CHECK(entry["cells_per_ray"] == primary.cells_per_ray);
+            CHECK(entry["triangle_tests_per_ray"] == primary.tests_per_ray);
+        } else {
+            CHECK(entry.contains("triangle_tests_per_ray") ==
+                  (entry["name"] == "knot/embree/threads:2/shadow"));
+        }
+    }
+}
+
+TEST_CASE("columns of the table stand below each other, however long a name is", "[sequences][benchmark]") {
+    SceneBenchmark benchmark = duel();
+    benchmark.competitors.at(1).name = "grid:packet=16,culling=off,mailbox=off,macrocells=off";
+    const std::string table = benchmark_table(figures_of(benchmark));
+    const auto end_of_line_with = [&](const std::string& text) {
+        const std::size_t at = table.find(text);
+        REQUIRE(at != std::string::npos);
+        return table.find("  |", at) - table.rfind('\n', at);
+    };
+    CHECK(end_of_line_with("grid  ") == end_of_line_with("ms  "));
+    CHECK(end_of_line_with("macrocells=off  ") == end_of_line_with("ms  "));
 }
 
 TEST_CASE("phases that were not measured have no figures", "[sequences][benchmark]") {

@@ -76,15 +76,33 @@ TEST_CASE("more triangles take more memory, all else the same", "[memory]") {
     CHECK(many.total() > few.total());
 }
 
-TEST_CASE("a grid takes its cells, references, ranges and a histogram a thread", "[memory]") {
+TEST_CASE("a grid takes its cells, references, room to find them, and histograms", "[memory]") {
     // 10 x 10 x 10 cells for 1000 triangles whose edges are sqrt(0.002) = 0.0447 of the cube's: 0.447 cells.
     const double references = 1.447213595 * 1.447213595 * 1.447213595;
     CHECK(assumed_references_per_triangle(1'000, 1.0) == Approx(references));
     const MemoryEstimate one = estimate(1'000, {}, 1);
     CHECK(one.references_per_triangle == Approx(references));
-    CHECK(double(one.grid) == Approx(2 * 1'000 * 4 + references * 1'000 * 4 + 1'000 * 12).margin(4));
-    CHECK(estimate(1'000, {}, 3).grid == one.grid + 2 * 1'000 * 4);
-    CHECK(estimate(1'000, {}, 100).grid == one.grid + 15 * 1'000 * 4);
+    // Room for four references a triangle, cell and triangle of each.
+    CHECK(double(one.grid) == Approx(2 * 1'000 * 4 + references * 1'000 * 4 + 4 * 1'000 * 8).margin(8));
+}
+
+TEST_CASE("a triangle of many references takes room for a quarter more", "[memory]") {
+    engine::RenderSettings settings;
+    settings.tracer.resolution.lambda = 8.0f;  // 20 x 20 x 20 cells, edges of 0.894 cells
+    const double references = 1.894427191 * 1.894427191 * 1.894427191;
+    const MemoryEstimate fine = estimate(1'000, settings);
+    CHECK(fine.references_per_triangle == Approx(references));
+    CHECK(double(fine.grid) ==
+          Approx(2 * 8'000 * 4 + references * 1'000 * 4 + 1.25 * references * 1'000 * 8).margin(16));
+}
+
+TEST_CASE("each thread takes a histogram, where there are triangles enough", "[memory]") {
+    // 64,000 triangles, 40 x 40 x 40 cells: histograms for 7 threads at most; 216,000 for 16 and no more.
+    const auto grid = [](std::size_t count, int threads) { return estimate(count, {}, threads).grid; };
+    CHECK(grid(1'000, 8) == grid(1'000, 1));
+    CHECK(grid(64'000, 3) == grid(64'000, 1) + 2 * 64'000 * 4);
+    CHECK(grid(64'000, 100) == grid(64'000, 1) + 6 * 64'000 * 4);
+    CHECK(grid(216'000, 100) == grid(216'000, 1) + 15 * 216'000 * 4);
 }
 
 TEST_CASE("finer grids list triangles more often, up to the builder's limit", "[memory]") {
