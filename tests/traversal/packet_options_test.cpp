@@ -112,6 +112,20 @@ Triangles hall() {
     return ends;
 }
 
+/// Clusters of triangles smaller than a cell, with empty cubes of cells before and behind most of them.
+Triangles clusters() {
+    Triangles result{.name = "clusters", .positions = {}, .triangles = {}};
+    Random random(31);
+    for (int cluster = 0; cluster < 20; ++cluster) {
+        const glm::vec3 at = random.in_box(-1.0f, 1.0f);
+        for (int i = 0; i < 60; ++i) {
+            const glm::vec3 corner = at + random.in_box(-0.06f, 0.06f);
+            result.add(corner, corner + random.in_box(-0.02f, 0.02f), corner + random.in_box(-0.02f, 0.02f));
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 TEST_CASE("packets of any side, with or without culling, mailbox and macrocells, give the same answers",
@@ -129,7 +143,7 @@ TEST_CASE("packets of any side, with or without culling, mailbox and macrocells,
         check_all_options({crowds_in_crowds()}, 280);
     }
     SECTION("much empty space") {
-        check_all_options({hall()}, 280);
+        check_all_options({hall(), clusters()}, 280);
     }
     SECTION("tiny, huge and far scenes") {
         check_all_options(
