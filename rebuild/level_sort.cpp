@@ -91,12 +91,11 @@ void LevelSort::find(const TriangleView& triangles, const GridJob& job, const Un
 
 /// @return false if some chunk found more references than it had room for: now there will be
 bool LevelSort::make_room(std::span<const GridJob> jobs) {
-    constexpr double spare = 1.1;  // the next frame may need a little more
     bool enough = true;
     for (const Chunk& chunk : chunks_) {
         if (chunk.references <= chunk.capacity || jobs[chunk.job].over_limit()) continue;
         double& room = room_per_triangle(jobs[chunk.job]);
-        room = std::max(room, spare * double(chunk.references) / double(chunk.end - chunk.begin));
+        room = std::max(room, spare_room * double(chunk.references) / double(chunk.end - chunk.begin));
         enough = false;
     }
     return enough;

@@ -40,6 +40,10 @@ struct CrowdedCell {
 /// any number of threads.
 class LevelSort {
 public:
+    /// References per triangle that there is room for at first, and how many times what was needed there is
+    /// once that was not enough.
+    static constexpr double first_room = 2.5, spare_room = 1.1;
+
     /// Finds and counts the references of every job.
     /// @param level  its `grids` have bounds and resolutions, one per job; gets `first_cell`s and sizes
     void count(const TriangleView& triangles, std::span<GridJob> jobs, GridLevel& level);
@@ -91,7 +95,7 @@ private:
     [[nodiscard]] ReferenceRoom room_of(const Chunk& chunk);
 
     /// References that chunks have room for, in the top grid and in nested ones. Grows on demand.
-    std::array<double, 2> room_per_triangle_{2.5, 2.5};
+    std::array<double, 2> room_per_triangle_{first_room, first_room};
     std::size_t used_bytes_ = 0;
     std::vector<Layout> layouts_;  ///< one per job
     std::vector<Chunk> chunks_;

@@ -3,6 +3,7 @@
 #include "engine/film.h"
 #include "engine/pixel_order.h"
 #include "engine/surface.h"
+#include "rebuild/level_sort.h"
 #include "rebuild/resolution.h"
 #include "rebuild/triangle_view.h"
 #include "sequences/frame_writer.h"
@@ -98,8 +99,9 @@ std::size_t texture_bytes(const anim::Scene& scene) {
 
 /// References of one triangle that `rebuild::LevelSort` keeps room for while it finds and counts them.
 double room_per_triangle(double references_per_triangle) {
-    constexpr double least = 4.0, spare = 1.25;
-    return references_per_triangle <= least ? least : spare * references_per_triangle;
+    using rebuild::LevelSort;
+    return references_per_triangle <= LevelSort::first_room ? LevelSort::first_room
+                                                            : LevelSort::spare_room * references_per_triangle;
 }
 
 std::size_t grid_bytes(std::size_t triangle_count, double references_per_triangle, const anim::Box& bounds,
