@@ -11,7 +11,7 @@ namespace gridreel::rebuild {
 /// Cost and size of one rebuild. Structures without cells or references report zeros.
 struct BuildReport {
     double bounds_ms = 0.0;          ///< wall clock, box of the triangles and resolution
-    double count_ms = 0.0;           ///< cell ranges and histograms
+    double count_ms = 0.0;           ///< finding references, and histograms
     double scan_ms = 0.0;            ///< prefix sums
     double scatter_ms = 0.0;         ///< writing the reference lists
     double nesting_ms = 0.0;         ///< grids in crowded cells, all of their phases

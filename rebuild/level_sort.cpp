@@ -12,8 +12,6 @@
 namespace gridreel::rebuild {
 namespace {
 
-constexpr std::size_t chunk_limit = 16;               // private histograms cost chunks * cells
-constexpr std::size_t triangles_per_chunk = 1 << 13;  // fewer are not worth a histogram
 constexpr std::size_t cells_per_piece = 1 << 13;
 constexpr std::size_t prefetch_distance = 16;  // references; about what waiting for a cache costs
 

@@ -43,6 +43,8 @@ public:
     /// References per triangle that there is room for at first, and how many times what was needed there is
     /// once that was not enough.
     static constexpr double first_room = 2.5, spare_room = 1.1;
+    static constexpr std::size_t chunk_limit = 16;               ///< private histograms cost chunks * cells
+    static constexpr std::size_t triangles_per_chunk = 1 << 13;  ///< fewer are not worth a histogram
 
     /// Finds and counts the references of every job.
     /// @param level  its `grids` have bounds and resolutions, one per job; gets `first_cell`s and sizes
@@ -52,6 +54,7 @@ public:
     /// @return false, and nothing done, if there are more references than 32 bits can number
     [[nodiscard]] bool scan(std::span<const GridJob> jobs, GridLevel& level);
 
+    /// Writes the lists of all jobs but the dropped ones. After `scan`, once.
     void scatter(std::span<const GridJob> jobs, GridLevel& level);
 
     /// Cells of more than `limit` references in the level scattered last, ascending.

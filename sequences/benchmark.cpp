@@ -13,7 +13,7 @@
 namespace gridreel::sequences {
 namespace {
 
-constexpr int settling_runs = 16;  // twice the λ there are to choose from
+constexpr int settling_runs = 16;  // a little over twice the λ there are to choose from
 
 std::size_t triangles_of(const engine::WaveTracer& waves) {
     return waves.moving_triangles() + waves.still_triangles();
@@ -31,7 +31,7 @@ struct Entrant {
         built = waves.rebuild(*tracer);
     }
 
-    /// Of what `built` says.
+    /// Tells the chooser what the frame took.
     void learn(const engine::WaveTracer& waves, const engine::WaveReport& traced) {
         if (!lambda) return;
         traversal::TraceReport rays = traced.primary.report;
@@ -40,7 +40,7 @@ struct Entrant {
         lambda->measured(built.lambda, traversal::measured_frame(triangles_of(waves), built, rays, ms));
     }
 
-    /// Rebuilds and traces the frame until λ no longer changes much.
+    /// Rebuilds and traces the frame as often as λ takes to settle.
     void settle(engine::WaveTracer& waves) {
         for (int run = 0; lambda && run < settling_runs; ++run) {
             rebuild(waves);

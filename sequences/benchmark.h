@@ -69,8 +69,8 @@ struct SceneBenchmark {
 /// finds the triangles as fresh in the caches as the others do. Structures are first built at the clip's
 /// start: what is refitted later comes from there. Refitting looks at nothing but the tree, which stays, and
 /// where its triangles are now: straight to a frame it ends where it does by way of all frames before it. A λ
-/// that is chosen by cost settles in a few runs more of the first frame, unless there is no warm-up, and keeps
-/// to what it learned there where not both phases are measured.
+/// that is chosen by cost settles in a few runs more of the first frame, unless there is no warm-up, and
+/// keeps to what it learned there where not both phases are measured.
 ///
 /// Work runs in arenas of as many threads as asked for: the process must be allowed that many.
 ///

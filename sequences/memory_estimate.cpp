@@ -107,17 +107,17 @@ double room_per_triangle(double references_per_triangle) {
 std::size_t grid_bytes(std::size_t triangle_count, double references_per_triangle, const anim::Box& bounds,
                        const rebuild::ResolutionPolicy& policy, int threads) {
     if (triangle_count == 0) return 0;
-    // Of `rebuild::LevelSort`: one for each thread, if there is enough to count.
-    constexpr std::size_t most_histograms = 16, triangles_per_histogram = 1 << 13;
     // What lies farther out is in no cell.
     const glm::vec3 reach(rebuild::largest_coordinate);
     const rebuild::Bounds3 box{.min = glm::max(bounds.min, -reach), .max = glm::min(bounds.max, reach)};
     const glm::ivec3 resolution = rebuild::choose_resolution(box, triangle_count, policy);
     const std::size_t cells = static_cast<std::size_t>(resolution.x) *
                               static_cast<std::size_t>(resolution.y) * static_cast<std::size_t>(resolution.z);
+    using rebuild::LevelSort;
+    // One for each thread, if there is enough to count.
     const auto histograms =
-        std::clamp<std::size_t>(triangle_count / triangles_per_histogram, 1,
-                                std::min(static_cast<std::size_t>(threads), most_histograms));
+        std::clamp<std::size_t>(triangle_count / LevelSort::triangles_per_chunk, 1,
+                                std::min(static_cast<std::size_t>(threads), LevelSort::chunk_limit));
     const auto references = static_cast<std::size_t>(double(triangle_count) * references_per_triangle);
     const auto room =
         static_cast<std::size_t>(double(triangle_count) * room_per_triangle(references_per_triangle));

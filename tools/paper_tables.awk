@@ -3,9 +3,10 @@
 
 function value(line) { sub(/^ *"[^"]*": "?/, "", line); sub(/"?,?$/, "", line); return line }
 function times(ratio) { return ratio == 0 ? "" : sprintf(ratio < 9.95 ? "%.1f" : "%.0f", ratio) }
-function note(claim, ratio) {
-    if (!(claim in least) || ratio < least[claim]) least[claim] = ratio
-    if (!(claim in most) || ratio > most[claim]) most[claim] = ratio
+function note(claim, factor) {
+    if (factor == 0) return  # a scene that failed
+    if (!(claim in least) || factor < least[claim]) least[claim] = factor
+    if (!(claim in most) || factor > most[claim]) most[claim] = factor
 }
 function range(claim) { return times(least[claim]) "–" times(most[claim]) "×" }
 function key(experiment, scene, accel) { return experiment SUBSEP scene SUBSEP accel }

@@ -13,9 +13,10 @@ namespace gridreel::traversal {
 class Candidates {
 public:
     static constexpr std::size_t capacity = 1024;
+    static constexpr std::size_t mailbox_size = 1024;  ///< a power of two: % is a mask
 
     /// @param remembers  whether there is a mailbox
-    void clear(bool remembers = true) {
+    void clear(bool remembers) {
         remembers_ = remembers;
         count_ = 0;
         forget();
@@ -42,7 +43,7 @@ public:
 private:
     std::size_t count_ = 0;
     bool remembers_ = true;
-    std::array<std::uint32_t, 1024> met_;
+    std::array<std::uint32_t, mailbox_size> met_;
     std::array<std::uint32_t, capacity> triangles_;
 };
 

@@ -13,14 +13,15 @@
 
 namespace gridreel::traversal {
 
-/// How far from `origin` the box reaches along any one axis, in metres.
-[[nodiscard]] inline double farthest_offset(const rebuild::Bounds3& box, const glm::vec3& origin) {
+/// How far off corners in the box are at most, in metres along any one axis, once they are rounded relative
+/// to `origin`.
+[[nodiscard]] inline double corner_error(const rebuild::Bounds3& box, const glm::vec3& origin) {
     double farthest = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
         farthest = std::max({farthest, double(box.max[axis]) - double(origin[axis]),
                              double(origin[axis]) - double(box.min[axis])});
     }
-    return farthest;
+    return farthest * 0x1p-23;
 }
 
 /// A grid, the triangles it was built from, and how to go through it. Borrowed, valid until the next rebuild.

@@ -85,7 +85,7 @@ public:
         // Corners are rounded when they are taken relative to the origin: far away they stand beside their
         // cells.
         const rebuild::Bounds3& box = scene_.grid.top().bounds;
-        corner_error_ = farthest_offset(box, packet_.origin) * 0x1p-23;
+        corner_error_ = corner_error(box, packet_.origin);
         candidates_.clear(scene_.packets.mailbox);
         walk_alone(top, packet_.all_blocks(), 0);
         return given_up_;

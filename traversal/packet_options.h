@@ -1,7 +1,6 @@
 #pragma once
 // What can be switched in packet traversal, to measure what each part of it is worth.
 
-#include <cstddef>
 #include <optional>
 
 namespace gridreel::traversal {

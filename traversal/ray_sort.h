@@ -49,7 +49,7 @@ struct RayKey {
 class RaySort {
 public:
     /// @return valid until the next call
-    /// @throws std::length_error for more than 2^29 rays
+    /// @throws std::length_error for 2^29 rays or more
     const SortedRays& sort(const RayBatch& rays) { return sort(rays, nullptr); }
     /// Only the rays that are `undecided`.
     const SortedRays& sort_undecided(const RayBatch& rays, const OcclusionBatch& of) {

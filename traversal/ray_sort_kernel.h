@@ -19,7 +19,7 @@ struct KeyMap {
 };
 
 /// Frames rays [begin, end) of a batch, the same bits as `ray_frame`, and makes their keys.
-/// @param begin         a multiple of `rays_per_step`; so is `end`, unless it is the batch's
+/// @param begin   a multiple of `rays_per_step`; so is `end`, unless it is the batch's
 /// @param framed  of the whole batch
 /// @param keys    of the rays wanted, one after the other
 /// @param only    of the whole batch: rays where it is `undecided` are wanted, no others; null: all are

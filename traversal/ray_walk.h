@@ -44,7 +44,7 @@ struct WalkStart {
     std::uint64_t steps_left = 0;
 };
 
-/// Steps from cell to cell along a ray: the plain form of the walk.
+/// Steps from cell to cell along a ray: the plain form of the walk, the oracle of `LaneWalk`.
 class RayWalk {
 public:
     RayWalk(const rebuild::UniformGrid& grid, const RayLine& line) : at_(grid, line) { find_nearest(); }

@@ -206,7 +206,7 @@ TraceReport trace(const GridScene& scene, const CellDigest& cells, const RayBatc
             continue;
         }
         const rebuild::UniformGrid& top = scene.grid.top();
-        const bool far = farthest_offset(top.bounds, origin) * 0x1p-23 > top.least_slack;
+        const bool far = corner_error(top.bounds, origin) > top.least_slack;
         store(i, ray,
               far ? march_alone<wanted>(scene, source, static_cast<std::uint32_t>(i), ray.axes, packet,
                                         candidates, report)

@@ -37,7 +37,8 @@ public:
     Tracer& operator=(const Tracer&) = delete;
     virtual ~Tracer() = default;
 
-    /// Throws the structure away and builds it anew, from world-space triangles to ready to trace.
+    /// Throws the structure away and builds it anew, from world-space triangles to ready to trace, but for
+    /// what only rays without a common origin need: their first batch makes that, at its own cost.
     /// `triangles` must stay alive and unchanged until the next rebuild.
     virtual rebuild::BuildReport rebuild(const rebuild::TriangleView& triangles) = 0;
 
