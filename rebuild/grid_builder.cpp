@@ -213,6 +213,11 @@ void GridBuilder::measure_nested(const TriangleView& triangles, std::size_t dept
         const Bounds3 cell = box_of_cell(parent, place.cell - parent.first_cell);
         Bounds3 box = traceable_bounds(triangles, list);
         box = {.min = glm::max(box.min, cell.min), .max = glm::min(box.max, cell.max)};
+        // From far away corners stand beside their places, by more than the padding of a small box.
+        if (!box.empty()) {
+            box.min -= static_cast<float>(parent.least_slack);
+            box.max += static_cast<float>(parent.least_slack);
+        }
         level.grids[i] = grid_in(box.empty() ? cell : box, list.count, policy_, parent.least_slack);
     });
 }

@@ -20,7 +20,7 @@ RayLine::RayLine(const glm::vec3& from, const RayFrame& ray) : origin(from), slo
     depth_per_m = 1.0 / slope;
     // A hit just behind depth_min may be rounded beyond it from a cell before.
     depth_min = double(ray.depth_min) * (1.0 - depth_error);
-    depth_max = ray.depth_max;
+    depth_max = double(ray.depth_max) * (1.0 + depth_error);  // a hit may have been rounded nearer
 }
 
 void RayWalk::advance() {

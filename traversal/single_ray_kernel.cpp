@@ -99,7 +99,7 @@ private:
             }
             // A hit beyond this cell is kept, but a nearer one may wait in the cells between.
             if (reach_ <= exit) break;
-            entry = exit;
+            entry = std::max(entry, exit);  // a plane that the ray lies in is crossed nowhere
         }
         return false;
     }

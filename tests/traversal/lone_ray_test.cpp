@@ -6,11 +6,16 @@
 #include "test_triangles.h"
 #include "traversal/occupied_cells.h"
 #include "traversal/reference_boxes.h"
+#include "traversal/tracer.h"
 
 #include <catch2/catch.hpp>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 namespace gridreel::tests {
 namespace {
@@ -95,6 +100,45 @@ TEST_CASE("boxes of references hold their triangles' part of the cell, and littl
         CHECK(too_small == 0);
         CHECK(too_large == 0);
     }
+}
+
+TEST_CASE("a far ray meets the rim of a crowded cell's triangles, which stand a little beside their place",
+          "[traversal]") {
+    // Corners are rounded relative to the ray's origin: by more than the padding of the small cluster's box.
+    Triangles triangles{.name = "cluster", .positions = {}, .triangles = {}};
+    triangles.add({-50.0f, -50.0f, -50.0f}, {-49.0f, -50.0f, -50.0f}, {-50.0f, -49.0f, -50.0f});
+    triangles.add({50.0f, 50.0f, 50.0f}, {49.0f, 50.0f, 50.0f}, {50.0f, 49.0f, 50.0f});
+    Random random(81);
+    for (int i = 0; i < 300; ++i) {
+        const glm::vec3 corner = random.in_box(-0.01f, 0.01f);
+        const auto near = [&] { return glm::clamp(corner + random.in_box(-0.004f, 0.004f), -0.01f, 0.01f); };
+        triangles.add(near(), near(), near());
+    }
+    traversal::RayBatch rays;
+    constexpr std::size_t count = 60'000;
+    rays.resize(count, std::nullopt, traversal::RayOrder::arbitrary);
+    const glm::vec3 eye{61.37f, 47.91f, 53.13f};
+    for (std::size_t i = 0; i < count; ++i) {
+        glm::vec3 target = random.in_box(-0.0101f, 0.0101f);
+        target[static_cast<int>(i % 3)] = (i % 2 == 0 ? 0.01f : -0.01f) + random.uniform(-4e-6f, 4e-6f);
+        rays.set_origin(i, eye);
+        rays.set_direction(i, target - eye);
+        rays.t_min[i] = 0.0f;
+        rays.t_max[i] = 2.0f;
+    }
+    traversal::HitBatch expected, actual;
+    for (const auto kind : {traversal::TracerKind::naive, traversal::TracerKind::grid_single}) {
+        const auto tracer = traversal::make_tracer({.kind = kind, .resolution = {.lambda = 0.5f}});
+        tracer->rebuild(triangles.view());
+        tracer->closest_hits(rays, kind == traversal::TracerKind::naive ? expected : actual);
+    }
+    std::size_t different = 0, hits = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        different += expected.triangle[i] != actual.triangle[i] || expected.t[i] != actual.t[i] ? 1 : 0;
+        hits += expected.triangle[i] != traversal::no_triangle ? 1 : 0;
+    }
+    CHECK(hits > 1000);
+    CHECK(different == 0);
 }
 
 }  // namespace gridreel::tests
