@@ -1,6 +1,7 @@
 #include "rebuild/grid_builder.h"
 
 #include "overlap_oracle.h"
+#include "soup.h"
 
 #include <catch2/catch.hpp>
 
@@ -18,12 +19,6 @@
 
 namespace gridreel::rebuild {
 namespace {
-
-struct Soup {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::uvec3> triangles;
-    [[nodiscard]] TriangleView view() const { return {positions, triangles}; }
-};
 
 Soup soup(std::uint32_t count, float size, std::uint32_t seed = 1) {
     std::mt19937 random(seed);

@@ -1,6 +1,7 @@
 #include "rebuild/macrocells.h"
 
 #include "rebuild/grid_builder.h"
+#include "soup.h"
 
 #include <catch2/catch.hpp>
 
@@ -14,12 +15,6 @@
 
 namespace gridreel::rebuild {
 namespace {
-
-struct Soup {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::uvec3> triangles;
-    [[nodiscard]] TriangleView view() const { return {positions, triangles}; }
-};
 
 class Random {
 public:

@@ -48,14 +48,6 @@ cp "$project/tools/bench-paper" "$project/tools/paper_tables.awk" "$house/tools/
 bench_paper() {
     "$house/tools/bench-paper" "$@" > "$machine/output" 2> "$machine/errors"
 }
-fails_with() {  # STATUS COMMAND...
-    local status=0
-    "${@:2}" || status=$?
-    [[ $status == "$1" ]] || { echo "exit $status instead of $1: ${*:2}"; return 1; }
-}
-expect() {  # TEXT FILE
-    grep -qF -- "$1" "$2" || { echo "expected '$1' in:"; cat "$2"; return 1; }
-}
 
 bench_paper_measures_on_one_thread_at_the_lambda_of_the_paper() {
     bench_paper

@@ -39,14 +39,6 @@ assets() {  # FILE...
 bench_suite() {
     "$house/tools/bench-suite" "$@" > "$machine/output" 2> "$machine/errors"
 }
-fails_with() {  # STATUS COMMAND...
-    local status=0
-    "${@:2}" || status=$?
-    [[ $status == "$1" ]] || { echo "exit $status instead of $1: ${*:2}"; return 1; }
-}
-expect() {  # TEXT FILE
-    grep -qF -- "$1" "$2" || { echo "expected '$1' in:"; cat "$2"; return 1; }
-}
 expect_none() {  # TEXT FILE
     if grep -F -- "$1" "$2"; then echo "did not expect '$1'"; return 1; fi
 }

@@ -17,6 +17,14 @@ program() {  # PATH BODY
 fails() {  # COMMAND...
     if "$@"; then echo "did not fail: $*"; return 1; fi
 }
+fails_with() {  # STATUS COMMAND...
+    local status=0
+    "${@:2}" || status=$?
+    [[ $status == "$1" ]] || { echo "exit $status instead of $1: ${*:2}"; return 1; }
+}
+expect() {  # TEXT FILE
+    grep -qF -- "$1" "$2" || { echo "expected '$1' in:"; cat "$2"; return 1; }
+}
 expect_calls() {  # LINE...
     diff <(printf '%s\n' "$@") "$calls"
 }

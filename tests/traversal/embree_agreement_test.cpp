@@ -1,5 +1,6 @@
 // The grid and Embree on a million rays a scene: they differ only where a ray passes an edge within rounding.
 
+#include "skip_without_embree.h"
 #include "test_rays.h"
 #include "test_triangles.h"
 #include "traversal/tracer.h"
@@ -162,15 +163,6 @@ Triangles needles(std::size_t count) {
 }
 
 }  // namespace
-
-/// Leaves the test by name where there is nothing to test.
-#define SKIP_WITHOUT_EMBREE()                              \
-    do {                                                   \
-        if (!traversal::is_built_in(TracerKind::embree)) { \
-            WARN("skipped: this build is without Embree"); \
-            return;                                        \
-        }                                                  \
-    } while (false)
 
 TEST_CASE("the grid and Embree agree on a million camera rays onto a sheet", "[traversal][embree]") {
     SKIP_WITHOUT_EMBREE();

@@ -1,6 +1,7 @@
 // Embree as one more oracle, and as a tracer in its own right. Without Embree the tests say so and pass.
 
 #include "reference_intersection.h"
+#include "skip_without_embree.h"
 #include "test_rays.h"
 #include "test_triangles.h"
 #include "traversal/tracer.h"
@@ -44,15 +45,6 @@ using traversal::OcclusionBatch;
 using traversal::RayBatch;
 using traversal::Tracer;
 using traversal::TracerKind;
-
-/// Leaves the test by name where there is nothing to test.
-#define SKIP_WITHOUT_EMBREE()                              \
-    do {                                                   \
-        if (!traversal::is_built_in(TracerKind::embree)) { \
-            WARN("skipped: this build is without Embree"); \
-            return;                                        \
-        }                                                  \
-    } while (false)
 
 std::unique_ptr<Tracer> embree(const EmbreeOptions& options = {}) {
     return traversal::make_tracer({.kind = TracerKind::embree, .resolution = {}, .embree = options});
