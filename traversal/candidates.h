@@ -25,14 +25,13 @@ public:
     /// Lets every triangle be a candidate again.
     void forget() { met_.fill(no_triangle); }
 
-    /// Adds a triangle unless the march met it lately. Forgetful: a triangle may be added again.
-    /// @return whether it was added
-    bool add(std::uint32_t triangle) {
+    /// Adds a triangle unless the march met it lately. Forgetful: a triangle may be added again. Whether it is
+    /// added is as good as random, so it is never branched upon.
+    void add(std::uint32_t triangle) {
         std::uint32_t& entry = met_[triangle % met_.size()];
-        if (entry == triangle && remembers_) return false;
+        triangles_[count_] = triangle;
+        count_ += static_cast<std::size_t>(entry != triangle) | static_cast<std::size_t>(!remembers_);
         entry = triangle;
-        triangles_[count_++] = triangle;
-        return true;
     }
 
     [[nodiscard]] bool full() const { return count_ == capacity; }

@@ -229,15 +229,24 @@ private:
         const auto layer =
             at.first_cell +
             static_cast<std::size_t>(packet_.axes.negative ? at.slices - 1 - slice : slice) * at.slice_stride;
-        for (int v = cells.v0; v <= cells.v1 && active != 0; ++v) {
-            const std::size_t row = layer + static_cast<std::size_t>(v) * at.v.stride;
-            if (at.u.stride == 1) {  // neighbours along x: one span of references
-                take(at, row + std::size_t(cells.u0), row + std::size_t(cells.u1) + 1, active, frustum);
-                continue;
+        const auto cell = [&](int u, int v) {
+            return layer + static_cast<std::size_t>(u) * at.u.stride +
+                   static_cast<std::size_t>(v) * at.v.stride;
+        };
+        // Neighbours along x are one span of references.
+        if (at.u.stride == 1) {
+            for (int v = cells.v0; v <= cells.v1 && active != 0; ++v) {
+                take(at, cell(cells.u0, v), cell(cells.u1, v) + 1, active, frustum);
             }
-            for (int u = cells.u0; u <= cells.u1; ++u) {
-                const std::size_t cell = row + static_cast<std::size_t>(u) * at.u.stride;
-                take(at, cell, cell + 1, active, frustum);
+        } else if (at.v.stride == 1) {
+            for (int u = cells.u0; u <= cells.u1 && active != 0; ++u) {
+                take(at, cell(u, cells.v0), cell(u, cells.v1) + 1, active, frustum);
+            }
+        } else {
+            for (int v = cells.v0; v <= cells.v1 && active != 0; ++v) {
+                for (int u = cells.u0; u <= cells.u1; ++u) {
+                    take(at, cell(u, v), cell(u, v) + 1, active, frustum);
+                }
             }
         }
     }
@@ -254,7 +263,8 @@ private:
                 i += at.level.references[i + 1] - 1;
                 continue;
             }
-            if (candidates_.add(reference)) hwy::Prefetch(&scene_.triangles.triangles[reference]);
+            hwy::Prefetch(&scene_.triangles.triangles[reference]);
+            candidates_.add(reference);
             if (candidates_.full()) flush(active, frustum);
         }
     }
