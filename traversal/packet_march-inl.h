@@ -8,6 +8,7 @@
 #endif
 
 #include "traversal/candidates.h"
+#include "traversal/cell_lists-inl.h"
 #include "traversal/grid_scene.h"
 #include "traversal/packet_intersect-inl.h"
 
@@ -160,6 +161,7 @@ private:
             report_.cells += static_cast<std::uint64_t>(cells.count());
             if (!afford(static_cast<std::uint64_t>(cells.count()) * work_of_cell, active)) return;
             collect(at, slice, cells, active, frustum);
+            add_candidates(active, frustum);
             if (candidates_.size() >= worth_a_pass) flush(active, frustum);
         }
     }
@@ -255,18 +257,29 @@ private:
     HWY_INLINE void take(const Stage& at, std::size_t begin, std::size_t end, BlockMask& active,
                          Frustum& frustum) {
         const std::uint32_t last = at.level.cell_begin[end];
-        for (std::uint32_t i = at.level.cell_begin[begin]; i < last; ++i) {
-            const std::uint32_t reference = at.level.references[i];
-            if (HWY_UNLIKELY((reference & rebuild::nested_mark) != 0)) {
-                if (active != 0)
-                    walk(stage(at.depth + 1, reference & ~rebuild::nested_mark), active, frustum, 0);
-                i += at.level.references[i + 1] - 1;
-                continue;
+        std::uint32_t taken = lists_.take(at.level, at.level.cell_begin[begin], last);
+        while (HWY_UNLIKELY(taken != last)) {
+            const std::uint32_t* const stopped_at = at.level.references.data() + taken;
+            if ((*stopped_at & rebuild::nested_mark) != 0) {
+                if (active != 0) {
+                    walk(stage(at.depth + 1, *stopped_at & ~rebuild::nested_mark), active, frustum, 0);
+                }
+                taken += stopped_at[1];
+            } else {
+                add_candidates(active, frustum);
             }
-            hwy::Prefetch(&scene_.triangles.triangles[reference]);
-            candidates_.add(reference);
-            if (candidates_.full()) flush(active, frustum);
+            taken = lists_.take(at.level, taken, last);
         }
+    }
+
+    /// Lets those triangles of the lists wait that the march has not met lately.
+    void add_candidates(BlockMask& active, Frustum& frustum) {
+        if (candidates_.size() + lists_.size() > Candidates::capacity) flush(active, frustum);
+        for (const std::uint32_t triangle : lists_) {
+            hwy::Prefetch(&scene_.triangles.triangles[triangle]);
+            candidates_.add(triangle);
+        }
+        lists_.clear();
     }
 
     /// Gives the active blocks up if that much more work is too much. @return whether it is not
@@ -299,6 +312,7 @@ private:
 
     /// Halves the wider side of the frustum; each half goes on alone through this grid from the same slice.
     void split(const Stage& at, BlockMask& active, Frustum& frustum, int slice) {
+        add_candidates(active, frustum);  // of the grid around this one
         flush(active, frustum);
         if (active == 0) return;
         const bool by_u = frustum.half_u > frustum.half_v;
@@ -330,6 +344,7 @@ private:
     const GridScene& scene_;
     Packet& packet_;
     Candidates& candidates_;
+    CellLists lists_;
     TraceReport& report_;
     double corner_error_ = 0.0;  // metres across
     std::uint64_t work_ = 0, work_limit_ = no_limit;
