@@ -134,9 +134,10 @@ bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
     // cell_begin[c], and in each histogram the first slot of its chunk in cell c.
     level.references.resize(total);
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
-        const Piece& piece = pieces_[k];
+        Piece& piece = pieces_[k];
         std::uint32_t* const begins = level.cell_begin.data() + level.grids[piece.job].first_cell;
         std::uint32_t next = piece.first_slot;
+        piece.occupied = 0;
         if (jobs[piece.job].dropped) {
             std::fill(begins + piece.begin, begins + piece.end, next);
             return;
@@ -149,6 +150,7 @@ bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
             for (std::size_t h = 0; h < layout.chunks; ++h) {
                 next += std::exchange(histograms[h * cells + c], next);
             }
+            piece.occupied += next != begins[c];
         }
     });
     level.cell_begin[level.cell_begin.size() - 1] = static_cast<std::uint32_t>(total);
@@ -171,9 +173,25 @@ void LevelSort::scatter(std::span<const GridJob> jobs, GridLevel& level) {
     });
 }
 
-void LevelSort::find_crowded(const GridLevel& level, std::uint32_t limit, std::vector<CrowdedCell>& crowded) {
+/// From how many references on a cell of each grid is crowded.
+void LevelSort::find_limits(std::uint32_t least) {
+    for (Layout& layout : layouts_) layout.references = layout.occupied = 0;
+    for (const Piece& piece : pieces_) {
+        layouts_[piece.job].references += piece.references;
+        layouts_[piece.job].occupied += piece.occupied;
+    }
+    for (Layout& layout : layouts_) {
+        const std::uint64_t limit =
+            crowding * layout.references / std::max<std::uint64_t>(1, layout.occupied);
+        layout.crowded_above = std::max<std::uint64_t>(least, limit);
+    }
+}
+
+void LevelSort::find_crowded(const GridLevel& level, std::uint32_t least, std::vector<CrowdedCell>& crowded) {
+    find_limits(least);
     const auto visit = [&](const Piece& piece, const auto& found) {
         const std::size_t first = level.grids[piece.job].first_cell;
+        const std::uint64_t limit = layouts_[piece.job].crowded_above;
         for (std::size_t c = first + piece.begin; c < first + piece.end; ++c) {
             const std::uint32_t size = level.cell_begin[c + 1] - level.cell_begin[c];
             if (size > limit) found(c);
@@ -181,7 +199,7 @@ void LevelSort::find_crowded(const GridLevel& level, std::uint32_t limit, std::v
     };
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
         pieces_[k].crowded = 0;
-        if (pieces_[k].references <= limit) return;
+        if (pieces_[k].references <= layouts_[pieces_[k].job].crowded_above) return;
         visit(pieces_[k], [&](std::size_t) { ++pieces_[k].crowded; });
     });
     std::size_t total = 0;
@@ -189,7 +207,7 @@ void LevelSort::find_crowded(const GridLevel& level, std::uint32_t limit, std::v
     crowded.resize(total);
     if (total == 0) return;
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
-        if (pieces_[k].references <= limit) return;
+        if (pieces_[k].references <= layouts_[pieces_[k].job].crowded_above) return;
         std::size_t next = pieces_[k].crowded;
         visit(pieces_[k], [&](std::size_t c) { crowded[next++] = {.grid = pieces_[k].job, .cell = c}; });
     });

@@ -43,6 +43,9 @@ public:
     /// References per triangle that there is room for at first, and how many times what was needed there is
     /// once that was not enough.
     static constexpr double first_room = 2.5, spare_room = 1.1;
+    /// Where all cells that are not empty hold many, as those of a surface of millions do, there are too few
+    /// of them: that is for lambda to decide. Nesting is for teapots in stadiums.
+    static constexpr std::uint64_t crowding = 16;
     static constexpr std::size_t chunk_limit = 16;               ///< private histograms cost chunks * cells
     static constexpr std::size_t triangles_per_chunk = 1 << 13;  ///< fewer are not worth a histogram
 
@@ -57,8 +60,9 @@ public:
     /// Writes the lists of all jobs but the dropped ones. After `scan`, once.
     void scatter(std::span<const GridJob> jobs, GridLevel& level);
 
-    /// Cells of more than `limit` references in the level scattered last, ascending.
-    void find_crowded(const GridLevel& level, std::uint32_t limit, std::vector<CrowdedCell>& crowded);
+    /// Cells of the level scattered last, ascending, that hold more than `least` references and more than
+    /// `crowding` times as many as those of their grid that are not empty do on average.
+    void find_crowded(const GridLevel& level, std::uint32_t least, std::vector<CrowdedCell>& crowded);
 
     [[nodiscard]] std::size_t bytes() const {
         return cells_.bytes() + triangles_.bytes() + histograms_.bytes();
@@ -85,15 +89,20 @@ private:
         std::size_t begin = 0, end = 0;
         std::uint64_t references = 0;
         std::uint32_t first_slot = 0;
-        std::size_t crowded = 0;  ///< cells, then how many in pieces before it
+        std::uint64_t occupied = 0;  ///< cells
+        std::size_t crowded = 0;     ///< cells, then how many in pieces before it
     };
     struct Layout {
         std::size_t first_histogram = 0;
         std::size_t chunks = 0;
+        std::uint64_t references = 0;
+        std::uint64_t occupied = 0;       ///< cells
+        std::uint64_t crowded_above = 0;  ///< references
     };
     void lay_out(std::span<const GridJob> jobs, GridLevel& level);
     void find(const TriangleView& triangles, const GridJob& job, const UniformGrid& grid, Chunk& chunk);
     [[nodiscard]] bool make_room(std::span<const GridJob> jobs);
+    void find_limits(std::uint32_t least);
     [[nodiscard]] double& room_per_triangle(const GridJob& job);
     [[nodiscard]] ReferenceRoom room_of(const Chunk& chunk);
 
