@@ -35,6 +35,13 @@ double nested_references_per_triangle_limit(float lambda) {
     return 4.0 * std::pow(std::max(1.0, double(lambda)), 2.0 / 3.0);
 }
 
+/// Nesting is for cells more crowded than the rest, like teapots in stadiums. Where all cells that are not
+/// empty hold many triangles, as those of a surface of millions do, more cells would help: that is lambda's
+/// business, unless it asks for a coarse grid.
+double crowded_times_mean(float lambda) {
+    return 16.0 * std::min(1.0, double(lambda));
+}
+
 /// Of the whole scene: the rounding of corners as seen from some diagonals away, so that rays from there find
 /// them in their cells, however small the cells of nested grids are.
 constexpr double slack_per_diagonal = 0x1p-22;
@@ -172,7 +179,9 @@ void GridBuilder::build_top(const TriangleView& triangles, const Bounds3& box, B
 /// @return whether there are any
 bool GridBuilder::nest(const TriangleView& triangles, std::size_t depth, BuildReport& report) {
     if (policy_.nest_above == 0) return false;
-    sort_.find_crowded(grid_.levels[depth - 1], policy_.nest_above, crowded_);
+    sort_.find_crowded(grid_.levels[depth - 1],
+                       {.references = policy_.nest_above, .times_mean = crowded_times_mean(policy_.lambda)},
+                       crowded_);
     if (crowded_.empty()) return false;
 
     GridLevel& level = grid_.levels[depth];

@@ -174,20 +174,20 @@ void LevelSort::scatter(std::span<const GridJob> jobs, GridLevel& level) {
 }
 
 /// From how many references on a cell of each grid is crowded.
-void LevelSort::find_limits(std::uint32_t least) {
+void LevelSort::find_limits(const Crowd& least) {
     for (Layout& layout : layouts_) layout.references = layout.occupied = 0;
     for (const Piece& piece : pieces_) {
         layouts_[piece.job].references += piece.references;
         layouts_[piece.job].occupied += piece.occupied;
     }
     for (Layout& layout : layouts_) {
-        const std::uint64_t limit =
-            crowding * layout.references / std::max<std::uint64_t>(1, layout.occupied);
-        layout.crowded_above = std::max<std::uint64_t>(least, limit);
+        const double mean = double(layout.references) / double(std::max<std::uint64_t>(1, layout.occupied));
+        layout.crowded_above =
+            std::max<std::uint64_t>(least.references, static_cast<std::uint64_t>(least.times_mean * mean));
     }
 }
 
-void LevelSort::find_crowded(const GridLevel& level, std::uint32_t least, std::vector<CrowdedCell>& crowded) {
+void LevelSort::find_crowded(const GridLevel& level, const Crowd& least, std::vector<CrowdedCell>& crowded) {
     find_limits(least);
     const auto visit = [&](const Piece& piece, const auto& found) {
         const std::size_t first = level.grids[piece.job].first_cell;

@@ -24,6 +24,12 @@ struct GridJob {
     [[nodiscard]] bool over_limit() const { return references > reference_limit; }
 };
 
+/// More than this makes a cell crowded.
+struct Crowd {
+    std::uint32_t references = 0;
+    double times_mean = 0.0;  ///< as many as cells of its grid that are not empty have on average
+};
+
 /// A cell with so many references that it becomes a grid.
 struct CrowdedCell {
     std::uint32_t grid = 0;  ///< of its level
@@ -43,9 +49,6 @@ public:
     /// References per triangle that there is room for at first, and how many times what was needed there is
     /// once that was not enough.
     static constexpr double first_room = 2.5, spare_room = 1.1;
-    /// Where all cells that are not empty hold many, as those of a surface of millions do, there are too few
-    /// of them: that is for lambda to decide. Nesting is for teapots in stadiums.
-    static constexpr std::uint64_t crowding = 16;
     static constexpr std::size_t chunk_limit = 16;               ///< private histograms cost chunks * cells
     static constexpr std::size_t triangles_per_chunk = 1 << 13;  ///< fewer are not worth a histogram
 
@@ -60,9 +63,8 @@ public:
     /// Writes the lists of all jobs but the dropped ones. After `scan`, once.
     void scatter(std::span<const GridJob> jobs, GridLevel& level);
 
-    /// Cells of the level scattered last, ascending, that hold more than `least` references and more than
-    /// `crowding` times as many as those of their grid that are not empty do on average.
-    void find_crowded(const GridLevel& level, std::uint32_t least, std::vector<CrowdedCell>& crowded);
+    /// The crowded cells of the level scattered last, ascending.
+    void find_crowded(const GridLevel& level, const Crowd& least, std::vector<CrowdedCell>& crowded);
 
     [[nodiscard]] std::size_t bytes() const {
         return cells_.bytes() + triangles_.bytes() + histograms_.bytes();
@@ -102,7 +104,7 @@ private:
     void lay_out(std::span<const GridJob> jobs, GridLevel& level);
     void find(const TriangleView& triangles, const GridJob& job, const UniformGrid& grid, Chunk& chunk);
     [[nodiscard]] bool make_room(std::span<const GridJob> jobs);
-    void find_limits(std::uint32_t least);
+    void find_limits(const Crowd& least);
     [[nodiscard]] double& room_per_triangle(const GridJob& job);
     [[nodiscard]] ReferenceRoom room_of(const Chunk& chunk);
 
