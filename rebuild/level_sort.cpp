@@ -27,7 +27,7 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
     layouts_.resize(jobs.size());
     chunks_.clear();
     pieces_.clear();
-    std::size_t cells = 0, references = 0, histograms = 0;
+    std::size_t cells = 0, references = 0, histograms = 0, all_triangles = 0;
     for (std::size_t j = 0; j < jobs.size(); ++j) {
         UniformGrid& grid = level.grids[j];
         const std::size_t triangles = jobs[j].triangles.count;
@@ -41,13 +41,15 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
                         .begin = part_begin(triangles, k, layout.chunks),
                         .end = part_begin(triangles, k + 1, layout.chunks),
                         .histogram = histograms,
-                        .first_reference = references};
+                        .first_reference = references,
+                        .first_triangle = all_triangles + part_begin(triangles, k, layout.chunks)};
             const double room = room_per_triangle(jobs[j]) * double(chunk.end - chunk.begin);
             chunk.capacity = std::min<std::size_t>(jobs[j].reference_limit, static_cast<std::size_t>(room));
             chunks_.push_back(chunk);
             references += chunk.capacity + ReferenceRoom::padding;
             histograms += grid.cell_count();
         }
+        all_triangles += triangles;
         grid.first_cell = cells;
         const std::size_t pieces = (grid.cell_count() + cells_per_piece - 1) / cells_per_piece;
         for (std::size_t k = 0; k < pieces; ++k) {
@@ -58,9 +60,9 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
         cells += grid.cell_count();
     }
     cells_.resize(references);
-    triangles_.resize(references);
+    triangles_.resize(all_triangles);
     histograms_.resize(histograms);
-    used_bytes_ = std::max(used_bytes_, (2 * references + histograms) * sizeof(std::uint32_t));
+    used_bytes_ = std::max(used_bytes_, (references + all_triangles + histograms) * sizeof(std::uint32_t));
     level.cell_begin.resize(cells + 1);
 }
 
@@ -70,7 +72,7 @@ double& LevelSort::room_per_triangle(const GridJob& job) {
 
 ReferenceRoom LevelSort::room_of(const Chunk& chunk) {
     return {.cells = cells_.data() + chunk.first_reference,
-            .triangles = triangles_.data() + chunk.first_reference,
+            .triangles = triangles_.data() + chunk.first_triangle,
             .capacity = chunk.capacity};
 }
 
@@ -84,7 +86,7 @@ void LevelSort::find(const TriangleView& triangles, const GridJob& job, const Un
     if (chunk.references > room.capacity) return;
     std::uint32_t* const histogram = histograms_.data() + chunk.histogram;
     std::fill_n(histogram, grid.cell_count(), 0u);
-    for (std::size_t k = 0; k < chunk.references; ++k) ++histogram[room.cells[k]];
+    for (std::size_t k = 0; k < chunk.references; ++k) ++histogram[room.cells[k] & ~next_triangle];
 }
 
 /// @return false if some chunk found more references than it had room for: now there will be
@@ -165,11 +167,18 @@ void LevelSort::scatter(std::span<const GridJob> jobs, GridLevel& level) {
         const ReferenceRoom found = room_of(chunk);
         std::uint32_t* const next = histograms_.data() + chunk.histogram;
         std::uint32_t* const references = level.references.data();
-        for (std::size_t i = 0; i < chunk.references; ++i) {
-            const std::size_t ahead = std::min<std::size_t>(i + prefetch_distance, chunk.references - 1);
-            hwy::Prefetch(references + next[found.cells[ahead]]);
-            references[next[found.cells[i]]++] = found.triangles[i];
+        const std::uint32_t* triangle = found.triangles;
+        const auto place = [&](std::size_t i) {
+            triangle += (found.cells[i] & next_triangle) != 0;
+            references[next[found.cells[i] & ~next_triangle]++] = triangle[-1];
+        };
+        const std::size_t count = chunk.references;
+        const std::size_t prefetched = count - std::min(prefetch_distance, count);
+        for (std::size_t i = 0; i < prefetched; ++i) {
+            hwy::Prefetch(references + next[found.cells[i + prefetch_distance] & ~next_triangle]);
+            place(i);
         }
+        for (std::size_t i = prefetched; i < count; ++i) place(i);
     });
 }
 

@@ -82,6 +82,7 @@ private:
         std::size_t begin = 0, end = 0;
         std::size_t histogram = 0;
         std::size_t first_reference = 0;
+        std::size_t first_triangle = 0;
         std::size_t capacity = 0;      ///< references there is room for
         std::uint64_t references = 0;  ///< found
     };
@@ -115,7 +116,7 @@ private:
     std::vector<Chunk> chunks_;
     std::vector<Piece> pieces_;
     Buffer<std::uint32_t> cells_;       ///< of each chunk's references, in the order of its triangles
-    Buffer<std::uint32_t> triangles_;   ///< of the same references
+    Buffer<std::uint32_t> triangles_;   ///< whose they are
     Buffer<std::uint32_t> histograms_;  ///< of each chunk, one count per cell of its grid
 };
 
