@@ -132,7 +132,7 @@ BuildReport GridBuilder::rebuild(const TriangleView& triangles) {
     report.lambda = policy_.lambda;
     if (oversized_ == oversized_limit) release();
     sort_.begin_frame();
-    for (GridLevel& level : grid_.levels) level.grids.resize(0);
+    for (GridLevel& level : grid_.levels) level.begin_frame();
 
     const Bounds3 box = traceable_bounds(triangles, {.count = triangles.size()});
     if (box.empty()) return report;
@@ -190,7 +190,7 @@ bool GridBuilder::nest(const TriangleView& triangles, std::size_t depth, BuildRe
     sort_.count(triangles, jobs_, level);
     for (GridJob& job : jobs_) job.dropped = job.over_limit();
     if (!sort_.scan(jobs_, level)) {
-        level.grids.resize(0);
+        level.clear();
         return false;
     }
     sort_.scatter(jobs_, level);
@@ -251,9 +251,7 @@ void GridBuilder::release() {
 
 std::size_t GridBuilder::used_bytes() const {
     std::size_t sum = sort_.used_bytes();
-    for (const GridLevel& level : grid_.levels) {
-        if (!level.grids.empty()) sum += level.used_bytes();
-    }
+    for (const GridLevel& level : grid_.levels) sum += level.used_bytes();
     return sum;
 }
 

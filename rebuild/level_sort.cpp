@@ -62,7 +62,6 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
     cells_.resize(references);
     triangles_.resize(all_triangles);
     histograms_.resize(histograms);
-    used_bytes_ = std::max(used_bytes_, (references + all_triangles + histograms) * sizeof(std::uint32_t));
     level.cell_begin.resize(cells + 1);
 }
 

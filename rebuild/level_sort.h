@@ -69,9 +69,15 @@ public:
     [[nodiscard]] std::size_t bytes() const {
         return cells_.bytes() + triangles_.bytes() + histograms_.bytes();
     }
-    /// Of those, what the largest level since `begin_frame` needed.
-    [[nodiscard]] std::size_t used_bytes() const { return used_bytes_; }
-    void begin_frame() { used_bytes_ = 0; }
+    /// Of those, what levels since `begin_frame` needed.
+    [[nodiscard]] std::size_t used_bytes() const {
+        return cells_.used_bytes() + triangles_.used_bytes() + histograms_.used_bytes();
+    }
+    void begin_frame() {
+        cells_.begin_frame();
+        triangles_.begin_frame();
+        histograms_.begin_frame();
+    }
     /// Lets all memory go.
     void release() { *this = {}; }
 
@@ -111,7 +117,6 @@ private:
 
     /// References that chunks have room for, in the top grid and in nested ones. Grows on demand.
     std::array<double, 2> room_per_triangle_{first_room, first_room};
-    std::size_t used_bytes_ = 0;
     std::vector<Layout> layouts_;  ///< one per job
     std::vector<Chunk> chunks_;
     std::vector<Piece> pieces_;
