@@ -1,6 +1,8 @@
 #pragma once
 // Memory that is kept from frame to frame: grows, never shrinks, never initialises.
 
+#include "rebuild/huge_pages.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <memory>
@@ -29,6 +31,7 @@ public:
             const std::size_t room = size + size / spare_part;
             data_.reset(static_cast<T*>(::operator new[]((room + padding) * sizeof(T), alignment)));
             capacity_ = room;
+            ask_for_huge_pages(data_.get(), bytes());
         }
         size_ = size;
         most_ = std::max(most_, size);
