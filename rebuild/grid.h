@@ -36,7 +36,7 @@ struct UniformGrid {
 /// triangles `references[cell_begin[c]] … references[cell_begin[c + 1] - 1]`, in ascending order.
 ///
 /// A crowded cell is a grid of the next level instead: its first reference is then `nested_mark | index of
-/// that grid`, its second how many references the cell takes up.
+/// that grid`, its second how many references the cell takes up. Empty where nothing is nested so deep.
 struct GridLevel {
     Buffer<UniformGrid> grids;
     Buffer<std::uint32_t> cell_begin;  ///< one per cell, grid after grid, and one more
@@ -46,8 +46,17 @@ struct GridLevel {
         return grids.bytes() + cell_begin.bytes() + references.bytes();
     }
     [[nodiscard]] std::size_t used_bytes() const {
-        return grids.size() * sizeof(UniformGrid) +
-               (cell_begin.size() + references.size()) * sizeof(std::uint32_t);
+        return grids.used_bytes() + cell_begin.used_bytes() + references.used_bytes();
+    }
+    void clear() {
+        grids.resize(0);
+        cell_begin.resize(0);
+        references.resize(0);
+    }
+    void begin_frame() {
+        grids.begin_frame();
+        cell_begin.begin_frame();
+        references.begin_frame();
     }
 };
 

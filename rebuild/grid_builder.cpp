@@ -35,6 +35,14 @@ double nested_references_per_triangle_limit(float lambda) {
     return 4.0 * std::pow(std::max(1.0, double(lambda)), 2.0 / 3.0);
 }
 
+/// Nesting is for cells more crowded than the rest, like teapots in stadiums. Where all cells that are not
+/// empty hold many triangles, as those of a surface of millions do, more cells would help: that is lambda's
+/// business. A coarse grid is asked for where nested grids do better than a finer one, so it nests more
+/// readily.
+double crowded_times_mean(float lambda) {
+    return 16.0 * std::pow(std::min(1.0, double(lambda)), 1.5);
+}
+
 /// Of the whole scene: the rounding of corners as seen from some diagonals away, so that rays from there find
 /// them in their cells, however small the cells of nested grids are.
 constexpr double slack_per_diagonal = 0x1p-22;
@@ -124,7 +132,7 @@ BuildReport GridBuilder::rebuild(const TriangleView& triangles) {
     report.lambda = policy_.lambda;
     if (oversized_ == oversized_limit) release();
     sort_.begin_frame();
-    for (GridLevel& level : grid_.levels) level.grids.resize(0);
+    for (GridLevel& level : grid_.levels) level.begin_frame();
 
     const Bounds3 box = traceable_bounds(triangles, {.count = triangles.size()});
     if (box.empty()) return report;
@@ -172,7 +180,9 @@ void GridBuilder::build_top(const TriangleView& triangles, const Bounds3& box, B
 /// @return whether there are any
 bool GridBuilder::nest(const TriangleView& triangles, std::size_t depth, BuildReport& report) {
     if (policy_.nest_above == 0) return false;
-    sort_.find_crowded(grid_.levels[depth - 1], policy_.nest_above, crowded_);
+    sort_.find_crowded(grid_.levels[depth - 1],
+                       {.references = policy_.nest_above, .times_mean = crowded_times_mean(policy_.lambda)},
+                       crowded_);
     if (crowded_.empty()) return false;
 
     GridLevel& level = grid_.levels[depth];
@@ -180,7 +190,7 @@ bool GridBuilder::nest(const TriangleView& triangles, std::size_t depth, BuildRe
     sort_.count(triangles, jobs_, level);
     for (GridJob& job : jobs_) job.dropped = job.over_limit();
     if (!sort_.scan(jobs_, level)) {
-        level.grids.resize(0);
+        level.clear();
         return false;
     }
     sort_.scatter(jobs_, level);
@@ -241,9 +251,7 @@ void GridBuilder::release() {
 
 std::size_t GridBuilder::used_bytes() const {
     std::size_t sum = sort_.used_bytes();
-    for (const GridLevel& level : grid_.levels) {
-        if (!level.grids.empty()) sum += level.used_bytes();
-    }
+    for (const GridLevel& level : grid_.levels) sum += level.used_bytes();
     return sum;
 }
 

@@ -23,9 +23,10 @@ public:
     /// Builds the grid of `triangles`, of which there are fewer than 2^31.
     ///
     /// Where the resolution rule would list each triangle more than 64 times on average (long thin triangles
-    /// across many cells), the grid is made coarser until it does not. A cell of more than `nest_above`
-    /// triangles becomes a grid by the same rule, in the tight box of what it holds, at most
-    /// `deepest_nesting` deep, unless that would list each of them more than 4 max(1, lambda)^(2/3) times.
+    /// across many cells), the grid is made coarser until it does not. A cell becomes a grid by the same
+    /// rule, in the tight box of what it holds, at most `deepest_nesting` deep, if it holds more than
+    /// `nest_above` triangles and 16 min(1, lambda)^1.5 times as many as those of its grid that are not empty
+    /// do on average, unless that would list each of them more than 4 max(1, lambda)^(2/3) times.
     ///
     /// @throws std::length_error for 2^31 triangles or more
     BuildReport rebuild(const TriangleView& triangles);

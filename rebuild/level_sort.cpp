@@ -27,7 +27,7 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
     layouts_.resize(jobs.size());
     chunks_.clear();
     pieces_.clear();
-    std::size_t cells = 0, references = 0, histograms = 0;
+    std::size_t cells = 0, references = 0, histograms = 0, all_triangles = 0;
     for (std::size_t j = 0; j < jobs.size(); ++j) {
         UniformGrid& grid = level.grids[j];
         const std::size_t triangles = jobs[j].triangles.count;
@@ -41,13 +41,15 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
                         .begin = part_begin(triangles, k, layout.chunks),
                         .end = part_begin(triangles, k + 1, layout.chunks),
                         .histogram = histograms,
-                        .first_reference = references};
+                        .first_reference = references,
+                        .first_triangle = all_triangles + part_begin(triangles, k, layout.chunks)};
             const double room = room_per_triangle(jobs[j]) * double(chunk.end - chunk.begin);
             chunk.capacity = std::min<std::size_t>(jobs[j].reference_limit, static_cast<std::size_t>(room));
             chunks_.push_back(chunk);
             references += chunk.capacity + ReferenceRoom::padding;
             histograms += grid.cell_count();
         }
+        all_triangles += triangles;
         grid.first_cell = cells;
         const std::size_t pieces = (grid.cell_count() + cells_per_piece - 1) / cells_per_piece;
         for (std::size_t k = 0; k < pieces; ++k) {
@@ -58,9 +60,8 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
         cells += grid.cell_count();
     }
     cells_.resize(references);
-    triangles_.resize(references);
+    triangles_.resize(all_triangles);
     histograms_.resize(histograms);
-    used_bytes_ = std::max(used_bytes_, (2 * references + histograms) * sizeof(std::uint32_t));
     level.cell_begin.resize(cells + 1);
 }
 
@@ -70,7 +71,7 @@ double& LevelSort::room_per_triangle(const GridJob& job) {
 
 ReferenceRoom LevelSort::room_of(const Chunk& chunk) {
     return {.cells = cells_.data() + chunk.first_reference,
-            .triangles = triangles_.data() + chunk.first_reference,
+            .triangles = triangles_.data() + chunk.first_triangle,
             .capacity = chunk.capacity};
 }
 
@@ -84,7 +85,7 @@ void LevelSort::find(const TriangleView& triangles, const GridJob& job, const Un
     if (chunk.references > room.capacity) return;
     std::uint32_t* const histogram = histograms_.data() + chunk.histogram;
     std::fill_n(histogram, grid.cell_count(), 0u);
-    for (std::size_t k = 0; k < chunk.references; ++k) ++histogram[room.cells[k]];
+    for (std::size_t k = 0; k < chunk.references; ++k) ++histogram[room.cells[k] & ~next_triangle];
 }
 
 /// @return false if some chunk found more references than it had room for: now there will be
@@ -134,9 +135,10 @@ bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
     // cell_begin[c], and in each histogram the first slot of its chunk in cell c.
     level.references.resize(total);
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
-        const Piece& piece = pieces_[k];
+        Piece& piece = pieces_[k];
         std::uint32_t* const begins = level.cell_begin.data() + level.grids[piece.job].first_cell;
         std::uint32_t next = piece.first_slot;
+        piece.occupied = 0;
         if (jobs[piece.job].dropped) {
             std::fill(begins + piece.begin, begins + piece.end, next);
             return;
@@ -149,6 +151,7 @@ bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
             for (std::size_t h = 0; h < layout.chunks; ++h) {
                 next += std::exchange(histograms[h * cells + c], next);
             }
+            piece.occupied += next != begins[c];
         }
     });
     level.cell_begin[level.cell_begin.size() - 1] = static_cast<std::uint32_t>(total);
@@ -163,17 +166,40 @@ void LevelSort::scatter(std::span<const GridJob> jobs, GridLevel& level) {
         const ReferenceRoom found = room_of(chunk);
         std::uint32_t* const next = histograms_.data() + chunk.histogram;
         std::uint32_t* const references = level.references.data();
-        for (std::size_t i = 0; i < chunk.references; ++i) {
-            const std::size_t ahead = std::min<std::size_t>(i + prefetch_distance, chunk.references - 1);
-            hwy::Prefetch(references + next[found.cells[ahead]]);
-            references[next[found.cells[i]]++] = found.triangles[i];
+        const std::uint32_t* triangle = found.triangles;
+        const auto place = [&](std::size_t i) {
+            triangle += (found.cells[i] & next_triangle) != 0;
+            references[next[found.cells[i] & ~next_triangle]++] = triangle[-1];
+        };
+        const std::size_t count = chunk.references;
+        const std::size_t prefetched = count - std::min(prefetch_distance, count);
+        for (std::size_t i = 0; i < prefetched; ++i) {
+            hwy::Prefetch(references + next[found.cells[i + prefetch_distance] & ~next_triangle]);
+            place(i);
         }
+        for (std::size_t i = prefetched; i < count; ++i) place(i);
     });
 }
 
-void LevelSort::find_crowded(const GridLevel& level, std::uint32_t limit, std::vector<CrowdedCell>& crowded) {
+/// From how many references on a cell of each grid is crowded.
+void LevelSort::find_limits(const Crowd& least) {
+    for (Layout& layout : layouts_) layout.references = layout.occupied = 0;
+    for (const Piece& piece : pieces_) {
+        layouts_[piece.job].references += piece.references;
+        layouts_[piece.job].occupied += piece.occupied;
+    }
+    for (Layout& layout : layouts_) {
+        const double mean = double(layout.references) / double(std::max<std::uint64_t>(1, layout.occupied));
+        layout.crowded_above =
+            std::max<std::uint64_t>(least.references, static_cast<std::uint64_t>(least.times_mean * mean));
+    }
+}
+
+void LevelSort::find_crowded(const GridLevel& level, const Crowd& least, std::vector<CrowdedCell>& crowded) {
+    find_limits(least);
     const auto visit = [&](const Piece& piece, const auto& found) {
         const std::size_t first = level.grids[piece.job].first_cell;
+        const std::uint64_t limit = layouts_[piece.job].crowded_above;
         for (std::size_t c = first + piece.begin; c < first + piece.end; ++c) {
             const std::uint32_t size = level.cell_begin[c + 1] - level.cell_begin[c];
             if (size > limit) found(c);
@@ -181,7 +207,7 @@ void LevelSort::find_crowded(const GridLevel& level, std::uint32_t limit, std::v
     };
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
         pieces_[k].crowded = 0;
-        if (pieces_[k].references <= limit) return;
+        if (pieces_[k].references <= layouts_[pieces_[k].job].crowded_above) return;
         visit(pieces_[k], [&](std::size_t) { ++pieces_[k].crowded; });
     });
     std::size_t total = 0;
@@ -189,7 +215,7 @@ void LevelSort::find_crowded(const GridLevel& level, std::uint32_t limit, std::v
     crowded.resize(total);
     if (total == 0) return;
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
-        if (pieces_[k].references <= limit) return;
+        if (pieces_[k].references <= layouts_[pieces_[k].job].crowded_above) return;
         std::size_t next = pieces_[k].crowded;
         visit(pieces_[k], [&](std::size_t c) { crowded[next++] = {.grid = pieces_[k].job, .cell = c}; });
     });

@@ -24,6 +24,12 @@ struct GridJob {
     [[nodiscard]] bool over_limit() const { return references > reference_limit; }
 };
 
+/// More than this makes a cell crowded.
+struct Crowd {
+    std::uint32_t references = 0;
+    double times_mean = 0.0;  ///< as many as cells of its grid that are not empty have on average
+};
+
 /// A cell with so many references that it becomes a grid.
 struct CrowdedCell {
     std::uint32_t grid = 0;  ///< of its level
@@ -57,15 +63,21 @@ public:
     /// Writes the lists of all jobs but the dropped ones. After `scan`, once.
     void scatter(std::span<const GridJob> jobs, GridLevel& level);
 
-    /// Cells of more than `limit` references in the level scattered last, ascending.
-    void find_crowded(const GridLevel& level, std::uint32_t limit, std::vector<CrowdedCell>& crowded);
+    /// The crowded cells of the level scattered last, ascending.
+    void find_crowded(const GridLevel& level, const Crowd& least, std::vector<CrowdedCell>& crowded);
 
     [[nodiscard]] std::size_t bytes() const {
         return cells_.bytes() + triangles_.bytes() + histograms_.bytes();
     }
-    /// Of those, what the largest level since `begin_frame` needed.
-    [[nodiscard]] std::size_t used_bytes() const { return used_bytes_; }
-    void begin_frame() { used_bytes_ = 0; }
+    /// Of those, what levels since `begin_frame` needed.
+    [[nodiscard]] std::size_t used_bytes() const {
+        return cells_.used_bytes() + triangles_.used_bytes() + histograms_.used_bytes();
+    }
+    void begin_frame() {
+        cells_.begin_frame();
+        triangles_.begin_frame();
+        histograms_.begin_frame();
+    }
     /// Lets all memory go.
     void release() { *this = {}; }
 
@@ -76,6 +88,7 @@ private:
         std::size_t begin = 0, end = 0;
         std::size_t histogram = 0;
         std::size_t first_reference = 0;
+        std::size_t first_triangle = 0;
         std::size_t capacity = 0;      ///< references there is room for
         std::uint64_t references = 0;  ///< found
     };
@@ -85,26 +98,30 @@ private:
         std::size_t begin = 0, end = 0;
         std::uint64_t references = 0;
         std::uint32_t first_slot = 0;
-        std::size_t crowded = 0;  ///< cells, then how many in pieces before it
+        std::uint64_t occupied = 0;  ///< cells
+        std::size_t crowded = 0;     ///< cells, then how many in pieces before it
     };
     struct Layout {
         std::size_t first_histogram = 0;
         std::size_t chunks = 0;
+        std::uint64_t references = 0;
+        std::uint64_t occupied = 0;       ///< cells
+        std::uint64_t crowded_above = 0;  ///< references
     };
     void lay_out(std::span<const GridJob> jobs, GridLevel& level);
     void find(const TriangleView& triangles, const GridJob& job, const UniformGrid& grid, Chunk& chunk);
     [[nodiscard]] bool make_room(std::span<const GridJob> jobs);
+    void find_limits(const Crowd& least);
     [[nodiscard]] double& room_per_triangle(const GridJob& job);
     [[nodiscard]] ReferenceRoom room_of(const Chunk& chunk);
 
     /// References that chunks have room for, in the top grid and in nested ones. Grows on demand.
     std::array<double, 2> room_per_triangle_{first_room, first_room};
-    std::size_t used_bytes_ = 0;
     std::vector<Layout> layouts_;  ///< one per job
     std::vector<Chunk> chunks_;
     std::vector<Piece> pieces_;
     Buffer<std::uint32_t> cells_;       ///< of each chunk's references, in the order of its triangles
-    Buffer<std::uint32_t> triangles_;   ///< of the same references
+    Buffer<std::uint32_t> triangles_;   ///< whose they are
     Buffer<std::uint32_t> histograms_;  ///< of each chunk, one count per cell of its grid
 };
 

@@ -22,14 +22,18 @@ struct TriangleList {
     }
 };
 
-/// Room for references: the k-th lists `triangles[k]` in `cells[k]`.
+/// Set on the cell of a triangle's first reference. Cells have lower numbers.
+inline constexpr std::uint32_t next_triangle = std::uint32_t{1} << 31;
+
+/// Room for references. They lie triangle after triangle, so a mark on the first of each is enough to tell
+/// whose they are: half as much memory as the number of its triangle beside every cell.
 struct ReferenceRoom {
     /// Kernels write whole SIMD registers: so much behind the last reference may be overwritten.
     static constexpr std::size_t padding = 16;
 
-    std::uint32_t* cells = nullptr;
-    std::uint32_t* triangles = nullptr;
-    std::size_t capacity = 0;  ///< references, and `padding` more
+    std::uint32_t* cells = nullptr;      ///< one per reference, with marks
+    std::uint32_t* triangles = nullptr;  ///< those that have references; room for all that are looked at
+    std::size_t capacity = 0;            ///< references, and `padding` more
 };
 
 /// The box of those of list[begin … end - 1] that can be hit.

@@ -71,23 +71,18 @@ public:
     }
     HWY_INLINE void advance(std::size_t references) { count_ += references; }
 
-    /// All references from number `begin` on are of this triangle.
+    /// All references from number `begin` on are of this triangle. Without a branch: those of a triangle
+    /// without any are overwritten.
     HWY_INLINE void name_triangle(std::size_t begin, std::uint32_t triangle) {
-        if (HWY_UNLIKELY(count_ > room_.capacity)) return;
-        const hn::FixedTag<std::uint32_t, 4> d;
-        const auto name = hn::Set(d, triangle);
-        std::size_t k = begin;
-        do {  // seldom more than once
-            for (std::size_t i = 0; i < ReferenceRoom::padding; i += 4) {
-                hn::StoreU(name, d, room_.triangles + k + i);
-            }
-            k += ReferenceRoom::padding;
-        } while (HWY_UNLIKELY(k < count_));
+        room_.cells[std::min(begin, room_.capacity)] |= next_triangle;
+        room_.triangles[triangles_] = triangle;
+        triangles_ += count_ > begin;
     }
 
 private:
     ReferenceRoom room_;
     std::size_t count_ = 0;
+    std::size_t triangles_ = 0;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -15,7 +15,7 @@ struct ResolutionPolicy {
     float lambda = 1.0f;                     ///< cells per triangle, > 0; the paper's best was 5
     std::int32_t max_cells_per_axis = 1024;  ///< in [1, 65535]; bounds memory on thin scenes
     std::int64_t max_cells = 1 << 27;        ///< >= 1; over all three axes
-    std::uint32_t nest_above = 128;          ///< a cell of more triangles becomes a grid; 0: none does
+    std::uint32_t nest_above = 128;          ///< only cells of more triangles become grids; 0: none does
 };
 
 /// Grid resolution for `triangle_count` triangles inside `world`.

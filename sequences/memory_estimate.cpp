@@ -121,9 +121,7 @@ std::size_t grid_bytes(std::size_t triangle_count, double references_per_triangl
     const auto references = static_cast<std::size_t>(double(triangle_count) * references_per_triangle);
     const auto room =
         static_cast<std::size_t>(double(triangle_count) * room_per_triangle(references_per_triangle));
-    constexpr std::size_t cell_and_triangle = 2 * sizeof(std::uint32_t);
-    return (1 + histograms) * cells * sizeof(std::uint32_t) + references * sizeof(std::uint32_t) +
-           room * cell_and_triangle;
+    return ((1 + histograms) * cells + references + room + triangle_count) * sizeof(std::uint32_t);
 }
 
 // --- Pixels ------------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include <new>
 #include <numeric>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace gridreel::rebuild {
@@ -96,15 +97,35 @@ std::vector<std::vector<std::uint32_t>> contents(const Grid& grid) {
     return all;
 }
 
+void append(Soup& soup, const Soup& more) {
+    const auto first = static_cast<std::uint32_t>(soup.positions.size());
+    soup.positions.insert(soup.positions.end(), more.positions.begin(), more.positions.end());
+    for (const glm::uvec3& t : more.triangles) soup.triangles.push_back(t + first);
+}
+
+/// side x side squares in the unit square, two triangles each, which share no vertices.
+Soup waving_sheet(int side) {
+    Soup sheet;
+    for (int i = 0; i < 2 * side * side; ++i) {
+        const auto corner = [&](int x, int y) {
+            const float u = float(i / 2 % side + x) / float(side), v = float(i / 2 / side + y) / float(side);
+            return glm::vec3(u, v, 0.1f * std::sin(9.0f * u) * std::cos(7.0f * v));
+        };
+        const auto first = static_cast<std::uint32_t>(sheet.positions.size());
+        const int upper = i % 2;
+        sheet.positions.insert(sheet.positions.end(), {corner(upper, upper), corner(1, 0), corner(0, 1)});
+        sheet.triangles.emplace_back(first, first + 1, first + 2);
+    }
+    return sheet;
+}
+
 /// A crowd of small triangles in a corner of a large, coarse scene, half of it a crowd within the crowd.
 Soup crowd_in_a_corner(std::uint32_t count) {
     Soup result = soup(200, 0.5f, 3);
     for (glm::vec3& p : result.positions) p *= 100.0f;
     Soup crowd = soup(count, 0.02f, 4);
     for (std::size_t i = 0; i < crowd.positions.size() / 2; ++i) crowd.positions[i] *= 0.02f;
-    const auto first = static_cast<std::uint32_t>(result.positions.size());
-    result.positions.insert(result.positions.end(), crowd.positions.begin(), crowd.positions.end());
-    for (const glm::uvec3& t : crowd.triangles) result.triangles.push_back(t + first);
+    append(result, crowd);
     return result;
 }
 
@@ -160,18 +181,7 @@ TEST_CASE("crowded cells become grids that list what the cell did", "[rebuild]")
 TEST_CASE("crowded cells become grids for any lambda", "[rebuild]") {
     // Smaller cells are worth more references: a small waving sheet in a large box.
     Soup triangles = crowd_in_a_corner(0);
-    constexpr int side = 80;
-    for (int i = 0; i < 2 * side * side; ++i) {
-        const auto corner = [&](int x, int y) {
-            const float u = float(i / 2 % side + x) / float(side), v = float(i / 2 / side + y) / float(side);
-            return glm::vec3(u, v, 0.1f * std::sin(9.0f * u) * std::cos(7.0f * v));
-        };
-        const auto first = static_cast<std::uint32_t>(triangles.positions.size());
-        const int upper = i % 2;
-        triangles.positions.insert(triangles.positions.end(),
-                                   {corner(upper, upper), corner(1, 0), corner(0, 1)});
-        triangles.triangles.emplace_back(first, first + 1, first + 2);
-    }
+    append(triangles, waving_sheet(80));
     for (const float lambda : {0.25f, 1.0f, 8.0f, 27.0f}) {
         INFO("lambda " << lambda);
         GridBuilder builder({.lambda = lambda});
@@ -188,12 +198,39 @@ TEST_CASE("crowded cells become grids for any lambda", "[rebuild]") {
     }
 }
 
+TEST_CASE("only cells more crowded than the rest become grids", "[rebuild]") {
+    // Of a sheet alone every cell that is not empty holds some ten triangles or more.
+    constexpr std::uint32_t nest_above = 8;
+    GridBuilder even({.nest_above = nest_above});
+    CHECK(even.rebuild(waving_sheet(80).view()).nested_grids == 0);
+
+    for (const float lambda : {0.25f, 1.0f, 2.0f}) {
+        INFO("lambda " << lambda);
+        GridBuilder builder({.lambda = lambda, .nest_above = nest_above});
+        CHECK(builder.rebuild(crowd_in_a_corner(20'000).view()).nested_grids > 0);
+        const double times_mean = 16.0 * std::pow(std::min(1.0, double(lambda)), 1.5);
+        for (const GridLevel& level : builder.grid().levels) {
+            for (const UniformGrid& grid : level.grids.span()) {
+                const std::span cells =
+                    level.cell_begin.span().subspan(grid.first_cell, grid.cell_count() + 1);
+                double occupied = 0.0;
+                for (std::size_t c = 0; c < grid.cell_count(); ++c) occupied += cells[c] != cells[c + 1];
+                const double references = cells.back() - cells.front();
+                for (std::size_t c = 0; c < grid.cell_count(); ++c) {
+                    const std::uint32_t size = cells[c + 1] - cells[c];
+                    if (size == 0 || (level.references[cells[c]] & nested_mark) == 0) continue;
+                    CHECK(size > nest_above);
+                    CHECK(size * occupied > 0.999 * times_mean * references);  // but for rounding
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("triangles that all lie across each other are not nested", "[rebuild]") {
     Soup triangles = crowd_in_a_corner(10);
     const Soup heap = soup(600, 1.0f, 5);
-    const auto first = static_cast<std::uint32_t>(triangles.positions.size());
-    triangles.positions.insert(triangles.positions.end(), heap.positions.begin(), heap.positions.end());
-    for (const glm::uvec3& t : heap.triangles) triangles.triangles.push_back(t + first);
+    append(triangles, heap);
     GridBuilder builder;
     const BuildReport report = builder.rebuild(triangles.view());
     CHECK(report.references <= 8 * triangles.triangles.size());

@@ -122,7 +122,7 @@ Soup soup(const Kind& kind, std::uint32_t count, const glm::vec3& at, float scal
 std::vector<std::vector<std::uint32_t>> found_cells(const Soup& soup, const CellMapping& mapping) {
     constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
     const std::size_t triangles = soup.triangles.size();
-    std::vector<std::uint32_t> cells(ReferenceRoom::padding), owners(ReferenceRoom::padding);
+    std::vector<std::uint32_t> cells(ReferenceRoom::padding), owners(triangles);
     const auto find = [&](std::size_t capacity) {
         return find_references(soup.view(), {.count = triangles}, 0, triangles, mapping,
                                {.cells = cells.data(), .triangles = owners.data(), .capacity = capacity},
@@ -130,11 +130,15 @@ std::vector<std::vector<std::uint32_t>> found_cells(const Soup& soup, const Cell
     };
     const std::uint64_t count = find(0);
     cells.resize(count + ReferenceRoom::padding);
-    owners.resize(count + ReferenceRoom::padding);
     REQUIRE(find(count) == count);
-    REQUIRE(std::is_sorted(owners.begin(), owners.begin() + std::ptrdiff_t(count)));
     std::vector<std::vector<std::uint32_t>> found(triangles);
-    for (std::size_t k = 0; k < count; ++k) found.at(owners[k]).push_back(cells[k]);
+    std::size_t owner = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        if ((cells[k] & next_triangle) != 0) ++owner;
+        REQUIRE(owner > 0);
+        found.at(owners.at(owner - 1)).push_back(cells[k] & ~next_triangle);
+    }
+    REQUIRE(std::is_sorted(owners.begin(), owners.begin() + std::ptrdiff_t(owner)));
     for (auto& list : found) {
         std::sort(list.begin(), list.end());
         REQUIRE(std::adjacent_find(list.begin(), list.end()) == list.end());
@@ -249,7 +253,7 @@ TEST_CASE("the same cells are found on every machine", "[rebuild][simd]") {
 TEST_CASE("no more references than the limit are looked for", "[rebuild]") {
     const CellMapping mapping({.min = glm::vec3{0.0f}, .max = glm::vec3{1.0f}}, glm::ivec3{8});
     const Soup triangles = soup(kinds[0], 50, glm::vec3{0.0f}, 1.0f);
-    std::uint32_t cells[ReferenceRoom::padding], owners[ReferenceRoom::padding];
+    std::uint32_t cells[ReferenceRoom::padding], owners[50];
     const std::uint64_t count = find_references(triangles.view(), {.count = 50}, 0, 50, mapping,
                                                 {.cells = cells, .triangles = owners, .capacity = 0}, 100);
     CHECK(count > 100);
