@@ -148,10 +148,11 @@ void LambdaChooser::learn() {
     }
     const double usual = median(std::move(all));
     for (std::size_t rung = 0; rung < rungs; ++rung) {
-        for (double& ratio : ratios[rung]) ratio /= usual;
-        ratios[rung].insert(ratios[rung].end(), 2, 1.0);  // one frame says nothing, and a few say little
-        correction_[rung] =
-            std::clamp(median(std::move(ratios[rung])), 1.0 / largest_correction, largest_correction);
+        // One frame says half of what it seems to, and a few nearly all.
+        const auto frames_seen = double(ratios[rung].size());
+        const double trust = frames_seen / (frames_seen + 1.0);
+        const double seen = std::pow(median(std::move(ratios[rung])) / usual, trust);
+        correction_[rung] = std::clamp(seen, 1.0 / largest_correction, largest_correction);
     }
 }
 
