@@ -42,7 +42,8 @@ PhaseFigures timed_phase(std::string_view name, const Competitor& competitor, co
 
 /// @param cost  of a run
 template <class Cost>
-PhaseFigures ray_phase(std::string_view name, const Competitor& competitor, const Cost& cost) {
+PhaseFigures ray_phase(std::string_view name, const Competitor& competitor, std::size_t triangles,
+                       const Cost& cost) {
     PhaseFigures figures =
         timed_phase(name, competitor, [&](const BenchmarkRun& run) { return cost(run).ms; });
     std::vector<double> rates;
@@ -57,16 +58,19 @@ PhaseFigures ray_phase(std::string_view name, const Competitor& competitor, cons
         figures.cells_per_ray = double(all.cells) / double(all.rays);
         figures.tests_per_ray = double(all.triangle_tests) / double(all.rays);
     }
+    if (triangles > 0) figures.extra_bytes_per_triangle = double(all.extra_bytes) / double(triangles);
     return figures;
 }
 
 /// @param costs  of a run, one per way
 template <class Costs>
-PhaseFigures quickest_way(std::string_view name, const Competitor& competitor, const Costs& costs) {
+PhaseFigures quickest_way(std::string_view name, const Competitor& competitor, std::size_t triangles,
+                          const Costs& costs) {
     PhaseFigures best;
     for (std::size_t way = 0; way < competitor.ways.size(); ++way) {
-        PhaseFigures figures = ray_phase(
-            name, competitor, [&](const BenchmarkRun& run) -> const TraceCost& { return costs(run)[way]; });
+        PhaseFigures figures =
+            ray_phase(name, competitor, triangles,
+                      [&](const BenchmarkRun& run) -> const TraceCost& { return costs(run)[way]; });
         if (competitor.ways.size() > 1) figures.way = competitor.ways[way];
         if (way == 0 || figures.median_ms < best.median_ms) best = std::move(figures);
     }
@@ -77,6 +81,7 @@ CompetitorFigures competitor_figures(const Competitor& competitor, const SceneBe
     assert(!competitor.runs.empty());
     CompetitorFigures figures{.name = competitor.name, .threads = competitor.threads, .phases = {}};
     auto& phases = figures.phases;
+    const std::size_t triangles = benchmark.moving_triangles + benchmark.still_triangles;
     const bool rebuilt = benchmark.phase != BenchmarkPhase::trace;
     const bool traced = benchmark.phase != BenchmarkPhase::rebuild;
 
@@ -87,14 +92,16 @@ CompetitorFigures competitor_figures(const Competitor& competitor, const SceneBe
             timed_phase("rebuild", competitor, [](const auto& run) { return run.rebuild.total_ms; }));
     }
     if (traced) {
-        phases.push_back(ray_phase("primary", competitor, [](const BenchmarkRun& run) -> const TraceCost& {
-            return run.waves.primary;
-        }));
+        phases.push_back(
+            ray_phase("primary", competitor, triangles,
+                      [](const BenchmarkRun& run) -> const TraceCost& { return run.waves.primary; }));
         phases.push_back(quickest_way(
-            "shadow", competitor, [](const BenchmarkRun& run) -> auto& { return run.waves.shadow; }));
+            "shadow", competitor, triangles,
+            [](const BenchmarkRun& run) -> auto& { return run.waves.shadow; }));
         if (!competitor.runs.front().waves.bounce.empty()) {
             phases.push_back(quickest_way(
-                "bounce", competitor, [](const BenchmarkRun& run) -> auto& { return run.waves.bounce; }));
+                "bounce", competitor, triangles,
+                [](const BenchmarkRun& run) -> auto& { return run.waves.bounce; }));
         }
         phases.push_back(
             timed_phase("making", competitor, [](const auto& run) { return run.waves.making_ms; }));
@@ -112,7 +119,6 @@ CompetitorFigures competitor_figures(const Competitor& competitor, const SceneBe
 
     // The structure.
     const rebuild::BuildReport& built = competitor.runs.back().rebuild;
-    const std::size_t triangles = benchmark.moving_triangles + benchmark.still_triangles;
     figures.bytes_per_triangle = triangles > 0 ? double(built.bytes) / double(triangles) : 0.0;
     figures.lambda = built.lambda;
     figures.resolution = built.resolution;

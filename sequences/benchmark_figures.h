@@ -21,7 +21,8 @@ struct PhaseFigures {
     double rays_per_second = 0.0;  ///< median; 0 for phases without rays
     double cells_per_ray = 0.0;  ///< mean of all runs, as `traversal::TraceReport` counts: of packets, shared
     double tests_per_ray = 0.0;  ///< ray-triangle intersections; both 0 where nothing is counted
-    std::string way;             ///< in which rays were traced, where there was a choice
+    double extra_bytes_per_triangle = 0.0;  ///< `traversal::TraceReport::extra_bytes`
+    std::string way;                        ///< in which rays were traced, where there was a choice
 };
 
 struct CompetitorFigures {

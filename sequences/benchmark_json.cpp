@@ -62,6 +62,9 @@ Json entry(const SceneFigures& scene, const CompetitorFigures& competitor, const
         json["cells_per_ray"] = phase.cells_per_ray;
         json["triangle_tests_per_ray"] = phase.tests_per_ray;
     }
+    if (phase.extra_bytes_per_triangle > 0.0) {
+        json["extra_bytes_per_triangle"] = phase.extra_bytes_per_triangle;
+    }
     if (!phase.way.empty()) json["rays"] = phase.way;
     if (phase.name == "rebuild") {
         json["triangles"] = {{"moving", scene.moving_triangles}, {"still", scene.still_triangles}};

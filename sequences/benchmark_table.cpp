@@ -77,6 +77,9 @@ std::string structure(const CompetitorFigures& competitor) {
             text += fmt::format(", {}: {:.2f} cells and {:.2f} tests a ray", phase.name, phase.cells_per_ray,
                                 phase.tests_per_ray);
         }
+        if (phase.extra_bytes_per_triangle > 0.0) {
+            text += fmt::format(" for {:.1f} bytes a triangle more", phase.extra_bytes_per_triangle);
+        }
         if (!phase.way.empty()) text += fmt::format(", {} rays: {}", phase.name, phase.way);
     }
     return text + "\n";

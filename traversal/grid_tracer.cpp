@@ -2,6 +2,7 @@
 
 #include "traversal/packet_kernel.h"
 #include "traversal/single_ray_kernel.h"
+#include "traversal/stream_kernel.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -16,7 +17,7 @@ namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
 
-constexpr std::size_t rays_per_task = 1024;  // one by one
+constexpr std::size_t rays_per_task = 1024;  // without a common origin
 constexpr std::size_t packets_per_task = 4;
 constexpr std::size_t references_per_ray = 2;  // of more, their boxes cost more than they save
 
@@ -42,7 +43,7 @@ GridTracer::GridTracer(const rebuild::ResolutionPolicy& resolution, Traversal tr
 
 rebuild::BuildReport GridTracer::rebuild(const rebuild::TriangleView& triangles) {
     triangles_ = triangles;
-    occupied_known_ = boxes_known_ = false;
+    distances_known_ = boxes_known_ = false;
     rebuild::BuildReport report = builder_.rebuild(triangles);
     if (packets_.macrocells) {
         const auto begun = std::chrono::steady_clock::now();
@@ -59,9 +60,13 @@ TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
     const GridScene scene = begin(rays);
     if (!in_packets(rays)) {
         const CellDigest cells = digest(rays.size());
-        return trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t first, std::size_t last) {
-            return closest_one_by_one(scene, cells, rays, resumed_, first, last, hits);
-        });
+        const auto trace = traversal_ == Traversal::one_by_one ? closest_one_by_one : closest_in_streams;
+        TraceReport report =
+            trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t first, std::size_t last) {
+                return trace(scene, cells, rays, resumed_, first, last, hits);
+            });
+        report.extra_bytes = digest_bytes();
+        return report;
     }
     const bool sorts = rays.order != RayOrder::coherent;
     const PacketSource source(rays, resumed_, sorts ? &ray_sort_.sort(rays) : nullptr, packets_);
@@ -76,9 +81,13 @@ TraceReport GridTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded)
     const GridScene scene = begin(rays);
     if (!in_packets(rays)) {
         const CellDigest cells = digest(rays.size());
-        return trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t first, std::size_t last) {
-            return any_one_by_one(scene, cells, rays, resumed_, first, last, occluded);
-        });
+        const auto trace = traversal_ == Traversal::one_by_one ? any_one_by_one : any_in_streams;
+        TraceReport report =
+            trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t first, std::size_t last) {
+                return trace(scene, cells, rays, resumed_, first, last, occluded);
+            });
+        report.extra_bytes = digest_bytes();
+        return report;
     }
     TraceReport report;
     const SortedRays* sorted = nullptr;
@@ -114,18 +123,22 @@ GridScene GridTracer::begin(const RayBatch& rays) {
             .macrocells = packets_.macrocells ? &macrocells_ : nullptr};
 }
 
-/// Only single rays ask for them, so whoever has none does not pay.
+/// Only rays without a common origin ask for it, so whoever has none does not pay.
 CellDigest GridTracer::digest(std::size_t rays) {
-    if (!occupied_known_) occupied_.rebuild(builder_.grid());
-    occupied_known_ = true;
+    if (!distances_known_) distances_.rebuild(builder_.grid());
+    distances_known_ = true;
     if (!boxes_known_) {
         std::size_t references = 0;
         for (const rebuild::GridLevel& level : builder_.grid().levels) references += level.references.size();
-        if (rays < references / references_per_ray) return {.occupied = occupied_};
+        if (rays < references / references_per_ray) return {.distances = distances_};
         boxes_.rebuild(builder_.grid(), triangles_);
         boxes_known_ = true;
     }
-    return {.occupied = occupied_, .boxes = &boxes_};
+    return {.distances = distances_, .boxes = &boxes_};
+}
+
+std::size_t GridTracer::digest_bytes() const {
+    return distances_.bytes() + (boxes_known_ ? boxes_.bytes() : 0);
 }
 
 bool GridTracer::in_packets(const RayBatch& rays) const {

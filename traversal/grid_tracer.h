@@ -3,16 +3,16 @@
 
 #include "rebuild/grid_builder.h"
 #include "rebuild/macrocells.h"
+#include "traversal/cell_digest.h"
 #include "traversal/grid_scene.h"
 #include "traversal/ray_sort.h"
 #include "traversal/resumed_rays.h"
-#include "traversal/single_ray_kernel.h"
 #include "traversal/tracer.h"
 
 namespace gridreel::traversal {
 
 /// Rebuilds a uniform grid and traces rays through it: batches with a common origin as coherent packets,
-/// unless told otherwise, all others ray by ray.
+/// all others a few at a time, each on its own way; or, if told so, all of them ray by ray.
 class GridTracer final : public Tracer {
 public:
     enum class Traversal { coherent, one_by_one };
@@ -29,6 +29,7 @@ public:
 private:
     [[nodiscard]] GridScene begin(const RayBatch& rays);
     [[nodiscard]] CellDigest digest(std::size_t rays);
+    [[nodiscard]] std::size_t digest_bytes() const;
     [[nodiscard]] bool in_packets(const RayBatch& rays) const;
     /// Leaves rays `undecided` that are better sorted.
     TraceReport any_as_they_come(const GridScene& scene, const RayBatch& rays, OcclusionBatch& occluded);
@@ -37,10 +38,10 @@ private:
     PacketOptions packets_;
     rebuild::GridBuilder builder_;
     rebuild::Macrocells macrocells_;
-    OccupiedCells occupied_;
+    CellDistances distances_;
     ReferenceBoxes boxes_;
-    bool occupied_known_ = false;  ///< of the grid as it is
-    bool boxes_known_ = false;     ///< too
+    bool distances_known_ = false;  ///< of the grid as it is
+    bool boxes_known_ = false;      ///< too
     rebuild::TriangleView triangles_;
     ResumedRays resumed_;
     RaySort ray_sort_;

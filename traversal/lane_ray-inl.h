@@ -10,6 +10,7 @@
 #include "rebuild/triangle_view.h"
 #include "traversal/corner_table-inl.h"
 #include "traversal/ray_frame.h"
+#include "traversal/transpose-inl.h"
 #include "traversal/triangle-inl.h"
 
 #include <algorithm>
@@ -75,31 +76,11 @@ private:
                                const glm::uvec3* indices, int which) const {
         const auto row = [&](std::size_t i) HWY_ATTR { return positions.at(indices[i][which]); };
         V axis[3];
-        transpose(d, row, axis);
+        transpose_rows(d, row, axis);
         const auto along = [&](std::size_t i) HWY_ATTR {
             return hn::Sub(axis[seen_.axes[i]], hn::Set(d, seen_.origin[seen_.axes[i]]));
         };
         return {along(0), along(1), along(2)};
-    }
-
-    /// x, y and z of the rows, one a lane.
-    template <class D, class Row, class V = hn::Vec<D>>
-    static HWY_INLINE void transpose(D d, const Row& row, V* axis) {
-        const hn::Repartition<double, D> pairs;
-        V r[4];
-        for (std::size_t i = 0; i < 4; ++i) {
-            if constexpr (hn::MaxLanes(D()) == 8) {
-                r[i] = hn::Combine(d, row(i + 4), row(i));
-            } else {
-                r[i] = row(i);
-            }
-        }
-        const V low01 = hn::InterleaveLower(d, r[0], r[1]), low23 = hn::InterleaveLower(d, r[2], r[3]);
-        const V high01 = hn::InterleaveUpper(d, r[0], r[1]), high23 = hn::InterleaveUpper(d, r[2], r[3]);
-        const auto halves = [&](const V& v) HWY_ATTR { return hn::BitCast(pairs, v); };
-        axis[0] = hn::BitCast(d, hn::InterleaveLower(pairs, halves(low01), halves(low23)));
-        axis[1] = hn::BitCast(d, hn::InterleaveUpper(pairs, halves(low01), halves(low23)));
-        axis[2] = hn::BitCast(d, hn::InterleaveLower(pairs, halves(high01), halves(high23)));
     }
 
     Viewpoint seen_;

@@ -20,8 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// The boxes of the references in one layer of a grid's cells along z.
 void bound_layer(const rebuild::GridLevel& level, const rebuild::UniformGrid& grid,
-                 const rebuild::TriangleView& triangles, int z, std::uint8_t* const* low,
-                 std::uint8_t* const* high) {
+                 const rebuild::TriangleView& triangles, int z, ReferenceBox* boxes) {
     using rebuild::HWY_NAMESPACE::Four;
     const rebuild::HWY_NAMESPACE::FourTag d;
     const hn::RebindToSigned<decltype(d)> di;
@@ -42,9 +41,7 @@ void bound_layer(const rebuild::GridLevel& level, const rebuild::UniformGrid& gr
     for (int y = 0; y < grid.resolution.y; ++y) {
         for (int x = 0; x < grid.resolution.x; ++x, ++cell) {
             const std::uint32_t begin = level.cell_begin[cell], end = level.cell_begin[cell + 1];
-            if (end - begin < ReferenceBoxes::least_count ||
-                (level.references[begin] & rebuild::nested_mark) != 0)
-                continue;
+            if (begin == end || (level.references[begin] & rebuild::nested_mark) != 0) continue;
             const Four at = four(glm::vec3(x, y, z));
             const auto place = [&](Four p) HWY_ATTR {
                 const Four in_cells = hn::Sub(hn::Mul(hn::Sub(p, origin), cells_per_metre), at);
@@ -57,13 +54,15 @@ void bound_layer(const rebuild::GridLevel& level, const rebuild::UniformGrid& gr
                 const glm::uvec3& indices = triangles.triangles[level.references[i]];
                 const Four a = positions.at(indices.x), b = positions.at(indices.y),
                            c = positions.at(indices.z);
-                HWY_ALIGN std::int32_t first[4], last[4];
-                hn::Store(whole(hn::Sub(place(hn::Min(a, hn::Min(b, c))), margin)), di, first);
-                hn::Store(whole(hn::Add(place(hn::Max(a, hn::Max(b, c))), margin)), di, last);
-                for (std::size_t axis = 0; axis < 3; ++axis) {
-                    low[axis][i] = static_cast<std::uint8_t>(first[axis]);
-                    high[axis][i] = static_cast<std::uint8_t>(last[axis]);
-                }
+                const auto low = whole(hn::Sub(place(hn::Min(a, hn::Min(b, c))), margin));
+                const auto high = whole(hn::Add(place(hn::Max(a, hn::Max(b, c))), margin));
+                const auto lacking = hn::Sub(hn::Set(di, 255), high);
+                // Lanes beyond z are whatever stands behind a position.
+                const hn::Rebind<std::uint8_t, decltype(d)> bytes;
+                const auto xyz = hn::FirstN(di, 3);
+                auto* const box = reinterpret_cast<std::uint8_t*>(&boxes[i]);
+                hn::StoreU(hn::DemoteTo(bytes, hn::IfThenElseZero(xyz, low)), bytes, box);
+                hn::StoreU(hn::DemoteTo(bytes, hn::IfThenElseZero(xyz, lacking)), bytes, box + 4);
             }
         }
     }
@@ -81,31 +80,22 @@ HWY_EXPORT(bound_layer);
 void ReferenceBoxes::rebuild(const rebuild::Grid& grid, const rebuild::TriangleView& triangles) {
     for (std::size_t depth = 0; depth < levels_.size(); ++depth) {
         const rebuild::GridLevel& level = grid.levels[depth];
-        std::array<std::uint8_t*, 3> low{}, high{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            // A vector of 32 may begin at the last.
-            levels_[depth].low[axis].resize(level.references.size() + 32);
-            levels_[depth].high[axis].resize(level.references.size() + 32);
-            low[axis] = levels_[depth].low[axis].data();
-            high[axis] = levels_[depth].high[axis].data();
-        }
+        if (level.grids.empty()) continue;
+        levels_[depth].resize(level.references.size());
         tbb::parallel_for(std::size_t{0}, level.grids.size(), [&](std::size_t i) {
             const rebuild::UniformGrid& one = level.grids[i];
             if (one.bounds.empty()) return;
             tbb::parallel_for(0, one.resolution.z, [&](int z) {
-                HWY_DYNAMIC_DISPATCH(bound_layer)(level, one, triangles, z, low.data(), high.data());
+                HWY_DYNAMIC_DISPATCH(bound_layer)(level, one, triangles, z, levels_[depth].data());
             });
         });
     }
 }
 
-ReferenceBoxes::Level ReferenceBoxes::level(std::size_t depth) const {
-    Level level;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        level.low[axis] = levels_[depth].low[axis].data();
-        level.high[axis] = levels_[depth].high[axis].data();
-    }
-    return level;
+std::size_t ReferenceBoxes::bytes() const {
+    std::size_t bytes = 0;
+    for (const rebuild::Buffer<ReferenceBox>& level : levels_) bytes += level.bytes();
+    return bytes;
 }
 
 }  // namespace gridreel::traversal

@@ -18,31 +18,31 @@ struct CellPlace {
     static constexpr float cell_begin = 2.0f;
 };
 
-/// Bounding boxes of triangles within their cells, one for each reference of a grid: six bytes instead of
-/// three scattered vertices, so that a ray looks closely only at the triangles that it comes near.
+/// A triangle's bounding box within a cell. The greatest places stand as what they lack to 255, so that one
+/// comparison of bytes tells whether a box lies apart from another.
+struct ReferenceBox {
+    std::array<std::uint8_t, 3> low;  ///< `CellPlace` along x, y and z
+    std::uint8_t none = 0;
+    std::array<std::uint8_t, 3> below_255;  ///< 255 less the greatest
+    std::uint8_t none_either = 0;
+};
+static_assert(sizeof(ReferenceBox) == 8);
+
+/// Bounding boxes of triangles within their cells, one for each reference of a grid: eight bytes in a row
+/// instead of three scattered vertices, so that a ray looks closely only at the triangles that it comes near.
 class ReferenceBoxes {
 public:
-    /// Cells of fewer triangles have no boxes: it is as fast to look at them all.
-    static constexpr std::uint32_t least_count = 4;
-
-    /// Bounds of a level's references, in its order: the least and the greatest `CellPlace` along x, y and z,
-    /// wider than the triangle by the grid's slack. Meaningless for nested cells and those of
-    /// fewer than `least_count`. 31 bytes
-    /// behind the last may be read.
-    struct Level {
-        std::array<const std::uint8_t*, 3> low{}, high{};
-    };
-
     /// Parallel.
     void rebuild(const rebuild::Grid& grid, const rebuild::TriangleView& triangles);
 
-    [[nodiscard]] Level level(std::size_t depth) const;
+    /// Boxes of a level's references, in its order, wider than the triangle by the grid's slack; meaningless
+    /// for nested cells. 64 bytes behind the last may be read.
+    [[nodiscard]] const ReferenceBox* level(std::size_t depth) const { return levels_[depth].data(); }
+
+    [[nodiscard]] std::size_t bytes() const;
 
 private:
-    struct Places {
-        std::array<rebuild::Buffer<std::uint8_t>, 3> low, high;
-    };
-    std::array<Places, 1 + rebuild::deepest_nesting> levels_;
+    std::array<rebuild::Buffer<ReferenceBox>, 1 + rebuild::deepest_nesting> levels_;
 };
 
 }  // namespace gridreel::traversal

@@ -9,9 +9,9 @@
 #include "traversal/cell_pieces-inl.h"
 #include "traversal/lane_ray-inl.h"
 #include "traversal/lane_walk-inl.h"
+#include "traversal/march_alone-inl.h"
 #include "traversal/naive_kernel.h"
-#include "traversal/packet_load-inl.h"
-#include "traversal/packet_march-inl.h"
+#include "traversal/ray_places.h"
 
 #include <algorithm>
 #include <array>
@@ -76,7 +76,7 @@ private:
     /// @return whether nothing more is wanted
     bool walk(std::size_t depth, std::size_t index) {
         const rebuild::GridLevel& level = scene_.grid.levels[depth];
-        const std::uint64_t* const occupied = cells_.occupied.level(depth);
+        const std::uint8_t* const steps = cells_.distances.data() + cells_.distances.first_cell(depth);
         const WalkStart start(level.grids[index], line_);
         if (!start.inside) return false;
         const RayPlaces places(level.grids[index], line_);
@@ -84,17 +84,18 @@ private:
         for (LaneWalk at(start); at.inside(); at.advance()) {
             const double exit = at.exit_depth();
             ++report_.cells;
-            if (OccupiedCells::is_set(occupied, at.cell())) {
+            if (steps[at.cell()] == 0) {
                 const std::uint32_t begin = level.cell_begin[at.cell()];
                 const std::uint32_t end = level.cell_begin[at.cell() + 1];
                 if ((level.references[begin] & rebuild::nested_mark) != 0) {
                     if (walk(depth + 1, level.references[begin] & ~rebuild::nested_mark)) return true;
-                } else if (cells_.boxes == nullptr || end - begin < ReferenceBoxes::least_count) {
+                } else if (cells_.boxes == nullptr) {
                     if (take(level.references.data() + begin, end - begin)) return true;
                 } else {
-                    const CellPieces pieces(places, at.steps_left(), entry,
-                                            std::max(entry, std::min(exit, reach_)));
-                    if (take_near(level, cells_.boxes->level(depth), pieces, begin, end)) return true;
+                    cut(places, at.steps_left(), entry, std::max(entry, std::min(exit, reach_)));
+                    if (take_near(level.references.data(), cells_.boxes->level(depth), begin, end)) {
+                        return true;
+                    }
                 }
             }
             // A hit beyond this cell is kept, but a nearer one may wait in the cells between.
@@ -117,17 +118,30 @@ private:
         return false;
     }
 
-    /// As `take`, for those of references [begin, end) whose boxes the ray comes near.
-    bool take_near(const rebuild::GridLevel& level, const ReferenceBoxes::Level& boxes,
-                   const CellPieces& pieces, std::uint32_t begin, std::uint32_t end) {
-        for (std::uint32_t first = begin; first < end; first += CellPieces::width) {
-            std::uint32_t near = pieces.near(boxes, first);
-            if (end - first < CellPieces::width) near &= (std::uint32_t{1} << (end - first)) - 1;
-            std::uint32_t triangles[CellPieces::width];
+    /// Cuts the way through a cell in pieces.
+    void cut(const RayPlaces& places, std::uint64_t steps_left, double from, double to) {
+        const hn::CappedTag<float, 1> d;
+        hn::Vec<decltype(d)> begin[3], end[3];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            begin[axis] = hn::Set(d, places.place(axis, steps_left, from));
+            end[axis] = hn::Set(d, places.place(axis, steps_left, to));
+        }
+        const auto halves = cut_in_pieces(d, begin, end);
+        for (std::size_t i = 0; i < piece_count; ++i) {
+            pieces_[i] = hn::GetLane(halves.first[i]) | std::uint64_t{hn::GetLane(halves.last[i])} << 32;
+        }
+    }
+
+    /// As `take`, for those of references [begin, end) whose boxes the pieces come near.
+    bool take_near(const std::uint32_t* references, const ReferenceBox* boxes, std::uint32_t begin,
+                   std::uint32_t end) {
+        for (std::uint32_t first = begin; first < end; first += boxes_at_a_time) {
+            unsigned near = near_boxes(boxes + first, pieces_);
+            if (end - first < boxes_at_a_time) near &= (1u << (end - first)) - 1;
+            std::uint32_t triangles[boxes_at_a_time];
             std::size_t count = 0;
             for (; near != 0; near &= near - 1) {
-                triangles[count++] =
-                    level.references[first + static_cast<std::uint32_t>(std::countr_zero(near))];
+                triangles[count++] = references[first + static_cast<std::uint32_t>(std::countr_zero(near))];
             }
             if (take(triangles, count)) return true;
         }
@@ -178,17 +192,8 @@ private:
     double reach_ = 0.0;  ///< cells that begin behind it hold nothing nearer
     std::size_t waiting_count_ = 0;
     std::uint32_t waiting_[capacity];
+    std::uint64_t pieces_[piece_count];
 };
-
-/// The ray as a packet of its own, whose width makes up for the rounding of corners as far away as its are.
-template <Wanted wanted>
-DepthHit march_alone(const GridScene& scene, const PacketSource& source, std::uint32_t ray, Axes axes,
-                     Packet& packet, Candidates& candidates, TraceReport& report) {
-    load_chosen(source, axes, {&ray, 1}, packet);
-    March<wanted>(scene, packet, candidates, report).run();
-    const bool hit = packet.depth[0] < packet.depth_max[0];
-    return {.depth = packet.depth[0], .triangle = hit ? packet.triangle[0] : no_triangle};
-}
 
 template <Wanted wanted, class Store>
 TraceReport trace(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
@@ -205,10 +210,9 @@ TraceReport trace(const GridScene& scene, const CellDigest& cells, const RayBatc
             store(i, ray, DepthHit{});
             continue;
         }
-        const rebuild::UniformGrid& top = scene.grid.top();
-        const bool far = corner_error(top.bounds, origin) > top.least_slack;
         store(i, ray,
-              far ? march_alone<wanted>(scene, source, static_cast<std::uint32_t>(i), ray.axes, packet,
+              is_far(scene.grid, origin)
+                  ? march_alone<wanted>(scene, source, static_cast<std::uint32_t>(i), ray.axes, packet,
                                         candidates, report)
                   : SingleWalk<wanted>(scene, cells, origin, ray, mailbox, report).run());
     }

@@ -28,6 +28,7 @@ TraceReport& TraceReport::operator+=(const TraceReport& other) {
     rays += other.rays;
     cells += other.cells;
     triangle_tests += other.triangle_tests;
+    extra_bytes = std::max(extra_bytes, other.extra_bytes);
     return *this;
 }
 

@@ -16,11 +16,14 @@
 
 namespace gridreel::traversal {
 
-/// What a batch cost, in operations. The same for any number of threads.
+/// What a batch cost, in operations and memory. The same for any number of threads.
 struct TraceReport {
     std::uint64_t rays = 0;
     std::uint64_t cells = 0;           ///< cells looked into, by packets or single rays
     std::uint64_t triangle_tests = 0;  ///< ray-triangle intersections computed
+    /// Memory of what was made of the structure for rays without a common origin, and is not in
+    /// `rebuild::BuildReport::bytes`; of several batches, the most.
+    std::uint64_t extra_bytes = 0;
 
     TraceReport& operator+=(const TraceReport& other);
 };

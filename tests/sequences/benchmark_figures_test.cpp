@@ -120,6 +120,8 @@ TEST_CASE("operations are counted per ray, over all runs", "[sequences][benchmar
     grid.at(0).waves.primary.report = {.rays = 1000, .cells = 500, .triangle_tests = 4000};
     grid.at(1).waves.primary.report = {.rays = 1000, .cells = 700, .triangle_tests = 6000};
     grid.at(2).waves.primary.report = {.rays = 2000, .cells = 1600, .triangle_tests = 14'000};
+    grid.at(2).waves.primary.report.extra_bytes =
+        5 * (benchmark.moving_triangles + benchmark.still_triangles);
     // A rival's ways: those of the better one count.
     auto& rival = benchmark.competitors.at(1).runs;
     for (BenchmarkRun& each : rival) {
@@ -134,7 +136,9 @@ TEST_CASE("operations are counted per ray, over all runs", "[sequences][benchmar
     CHECK(figures.competitors.at(1).phase("shadow")->tests_per_ray == 2.0);
 
     const std::string table = benchmark_table(figures);
-    CHECK_THAT(table, Contains("of the frame, primary: 0.70 cells and 6.00 tests a ray\n"));
+    CHECK_THAT(
+        table,
+        Contains("of the frame, primary: 0.70 cells and 6.00 tests a ray for 5.0 bytes a triangle more\n"));
     CHECK_THAT(table, Contains("shadow: 0.00 cells and 2.00 tests a ray, shadow rays: single"));
     const std::vector<SceneFigures> scenes{figures};
     const auto json = nlohmann::json::parse(benchmark_json(scenes, "AVX"));
@@ -142,6 +146,7 @@ TEST_CASE("operations are counted per ray, over all runs", "[sequences][benchmar
         if (entry["name"] == "knot/grid/threads:2/primary") {
             CHECK(entry["cells_per_ray"] == primary.cells_per_ray);
             CHECK(entry["triangle_tests_per_ray"] == primary.tests_per_ray);
+            CHECK(entry["extra_bytes_per_triangle"] == 5.0);
         } else {
             CHECK(entry.contains("triangle_tests_per_ray") ==
                   (entry["name"] == "knot/embree/threads:2/shadow"));

@@ -4,7 +4,7 @@
 #include "reference_intersection.h"
 #include "test_rays.h"
 #include "test_triangles.h"
-#include "traversal/occupied_cells.h"
+#include "traversal/cell_distances.h"
 #include "traversal/reference_boxes.h"
 #include "traversal/tracer.h"
 
@@ -13,6 +13,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -38,23 +39,51 @@ void for_each_cell(const rebuild::Grid& grid, const Visit& visit) {
     }
 }
 
+/// The number of steps, aslant ones included, from a cell to one that holds anything; `most` if there is none
+/// nearer.
+int steps_to_references(const rebuild::GridLevel& level, const rebuild::UniformGrid& grid,
+                        const glm::ivec3& at, int most) {
+    int least = most;
+    const glm::ivec3 low = glm::max(at - most, glm::ivec3{0});
+    const glm::ivec3 high = glm::min(at + most, grid.resolution - 1);
+    for (int z = low.z; z <= high.z; ++z) {
+        for (int y = low.y; y <= high.y; ++y) {
+            for (int x = low.x; x <= high.x; ++x) {
+                const std::size_t cell =
+                    grid.first_cell +
+                    static_cast<std::size_t>((z * grid.resolution.y + y) * grid.resolution.x + x);
+                if (level.cell_begin[cell] == level.cell_begin[cell + 1]) continue;
+                const glm::ivec3 steps = glm::abs(glm::ivec3{x, y, z} - at);
+                least = std::min(least, std::max({steps.x, steps.y, steps.z}));
+            }
+        }
+    }
+    return least;
+}
+
 }  // namespace
 
-TEST_CASE("the cells that count as occupied are those with references", "[traversal]") {
-    rebuild::GridBuilder builder({.lambda = 4.0f});
-    const Triangles triangles = crowds_in_crowds();
-    builder.rebuild(triangles.view());
-    traversal::OccupiedCells occupied;
-    occupied.rebuild(builder.grid());
-    std::size_t wrong = 0, empty = 0, full = 0;
-    for_each_cell(builder.grid(), [&](const rebuild::GridLevel& level, std::size_t depth,
-                                      const rebuild::UniformGrid&, std::size_t cell, const glm::ivec3&) {
-        const bool expected = level.cell_begin[cell] < level.cell_begin[cell + 1];
-        (expected ? full : empty) += 1;
-        wrong += traversal::OccupiedCells::is_set(occupied.level(depth), cell) != expected ? 1 : 0;
-    });
-    CHECK(wrong == 0);
-    CHECK(std::min(empty, full) > 100);
+TEST_CASE("a cell's distance is the number of steps to the nearest cell with references", "[traversal]") {
+    rebuild::GridBuilder builder({.lambda = 20.0f});
+    for (const Triangles& triangles : {crowds_in_crowds(), sphere(24)}) {
+        builder.rebuild(triangles.view());
+        traversal::CellDistances distances;
+        distances.rebuild(builder.grid());
+        constexpr int most = traversal::CellDistances::farthest;
+        std::size_t wrong = 0;
+        std::array<std::size_t, 1 + most> at_distance{};
+        for_each_cell(builder.grid(),
+                      [&](const rebuild::GridLevel& level, std::size_t depth,
+                          const rebuild::UniformGrid& grid, std::size_t cell, const glm::ivec3& at) {
+                          const int expected = steps_to_references(level, grid, at, most);
+                          ++at_distance[static_cast<std::size_t>(expected)];
+                          wrong += distances.data()[distances.first_cell(depth) + cell] != expected ? 1 : 0;
+                      });
+        INFO(triangles.name);
+        CHECK(wrong == 0);
+        CHECK(at_distance[0] > 100);
+        CHECK(at_distance[most] > (triangles.name == "sphere" ? 100 : 0));
+    }
 }
 
 TEST_CASE("boxes of references hold their triangles' part of the cell, and little more", "[traversal]") {
@@ -68,10 +97,7 @@ TEST_CASE("boxes of references hold their triangles' part of the cell, and littl
             builder.grid(), [&](const rebuild::GridLevel& level, std::size_t depth,
                                 const rebuild::UniformGrid& grid, std::size_t cell, const glm::ivec3& at) {
                 const std::uint32_t begin = level.cell_begin[cell], end = level.cell_begin[cell + 1];
-                if (end - begin < traversal::ReferenceBoxes::least_count ||
-                    (level.references[begin] & rebuild::nested_mark) != 0) {
-                    return;
-                }
+                if (begin == end || (level.references[begin] & rebuild::nested_mark) != 0) return;
                 for (std::uint32_t i = begin; i < end; ++i) {
                     const glm::uvec3& corners = triangles.triangles[level.references[i]];
                     for (int axis = 0; axis < 3; ++axis) {
@@ -86,8 +112,9 @@ TEST_CASE("boxes of references hold their triangles' part of the cell, and littl
                         const double least = std::clamp(std::min({a, b, c}), 0.0, 255.0);
                         const double most = std::clamp(std::max({a, b, c}), 0.0, 255.0);
                         const auto of_axis = static_cast<std::size_t>(axis);
-                        const double low = boxes.level(depth).low[of_axis][i];
-                        const double high = boxes.level(depth).high[of_axis][i];
+                        const traversal::ReferenceBox& box = boxes.level(depth)[i];
+                        const double low = box.low[of_axis];
+                        const double high = 255.0 - box.below_255[of_axis];
                         const double slack = 250.0 * grid.slack[axis] / grid.cell_size[axis];
                         ++checked;
                         too_small += low > std::max(0.0, least - 1.0) || high < std::min(most, 254.0) ? 1 : 0;
@@ -127,18 +154,22 @@ TEST_CASE("a far ray meets the rim of a crowded cell's triangles, which stand a 
         rays.t_max[i] = 2.0f;
     }
     traversal::HitBatch expected, actual;
-    for (const auto kind : {traversal::TracerKind::naive, traversal::TracerKind::grid_single}) {
+    const auto oracle = traversal::make_tracer({.kind = traversal::TracerKind::naive, .resolution = {}});
+    oracle->rebuild(triangles.view());
+    oracle->closest_hits(rays, expected);
+    for (const auto kind : {traversal::TracerKind::grid, traversal::TracerKind::grid_single}) {
+        INFO(traversal::name_of(kind));
         const auto tracer = traversal::make_tracer({.kind = kind, .resolution = {.lambda = 0.5f}});
         tracer->rebuild(triangles.view());
-        tracer->closest_hits(rays, kind == traversal::TracerKind::naive ? expected : actual);
+        tracer->closest_hits(rays, actual);
+        std::size_t different = 0, hits = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            different += expected.triangle[i] != actual.triangle[i] || expected.t[i] != actual.t[i] ? 1 : 0;
+            hits += expected.triangle[i] != traversal::no_triangle ? 1 : 0;
+        }
+        CHECK(hits > 1000);
+        CHECK(different == 0);
     }
-    std::size_t different = 0, hits = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        different += expected.triangle[i] != actual.triangle[i] || expected.t[i] != actual.t[i] ? 1 : 0;
-        hits += expected.triangle[i] != traversal::no_triangle ? 1 : 0;
-    }
-    CHECK(hits > 1000);
-    CHECK(different == 0);
 }
 
 }  // namespace gridreel::tests
