@@ -70,6 +70,12 @@ HWY_INLINE Slopes<V> difference(const Slopes<V>& a, const Slopes<V>& b) {
     return {hn::Sub(a.u, b.u), hn::Sub(a.v, b.v)};
 }
 
+/// The slopes a triangle is seen at, less the aim's: boxes, wide enough for rounding.
+template <class V>
+struct SlopeBox {
+    V low_u, high_u, low_v, high_v;
+};
+
 /// The normal times the direction (1, u, v).
 template <class V>
 HWY_INLINE V along(const Vec3<V>& normal, const Slopes<V>& slopes) {
