@@ -272,6 +272,7 @@ HWY_INLINE Meeting<LaneTag> meet_parallel(const Packet& packet, const Slopes<Lan
                                           const EdgeFunctions<Lanes>& edges,
                                           const CornerTable<group>& corners, std::size_t place,
                                           std::size_t first) {
+    // Rays that come near.
     const LaneTag d;
     const Lanes best = hn::Load(d, packet.depth + first);
     const Lanes depth_min = hn::Load(d, packet.depth_min + first);
@@ -281,13 +282,19 @@ HWY_INLINE Meeting<LaneTag> meet_parallel(const Packet& packet, const Slopes<Lan
     const Lanes nearest = hn::Sub(edges.depth_min, begin), farthest = hn::Sub(edges.depth_max, begin);
     const auto in_reach =
         hn::And(hn::And(hn::Le(nearest, best), hn::Ge(farthest, depth_min)), hn::Gt(best, hn::Zero(d)));
-    const auto touched = hn::And(in_reach, hn::Ge(least, hn::Neg(edges.error)));
-    if (hn::AllFalse(d, touched)) return {touched, best};
+    auto asked = hn::And(in_reach, hn::Ge(least, hn::Neg(edges.error)));
+    if (hn::AllFalse(d, asked)) return {asked, best};
 
-    const auto sure = hn::And(hn::And(touched, hn::Gt(least, edges.sure)),
-                              hn::And(hn::Gt(nearest, depth_min), hn::Lt(farthest, best)));
-    if (wanted == Wanted::any && hn::AllFalse(d, hn::AndNot(sure, touched))) return {sure, nearest};
+    // Rays that any hit will do for.
+    auto sure = hn::FirstN(d, 0);
+    if (wanted == Wanted::any) {
+        sure = hn::And(hn::And(asked, hn::Gt(least, edges.sure)),
+                       hn::And(hn::Gt(nearest, depth_min), hn::Lt(farthest, best)));
+        asked = hn::AndNot(sure, asked);
+        if (hn::AllFalse(d, asked)) return {sure, nearest};
+    }
 
+    // Rays that begin beyond the triangle.
     const Axes axes = packet.axes;
     const auto corner = [&](int which) HWY_ATTR {
         const float* p = corners.corner[which][place];
@@ -295,6 +302,13 @@ HWY_INLINE Meeting<LaneTag> meet_parallel(const Packet& packet, const Slopes<Lan
                            hn::Sub(hn::Set(d, p[axes.u()]), hn::Load(d, packet.origin_u + first)),
                            hn::Sub(hn::Set(d, p[axes.v()]), hn::Load(d, packet.origin_v + first))};
     };
+    const Vec3<Lanes> a = corner(0), b = corner(1), c = corner(2);
+    const Lanes sign = hn::Set(d, axes.sign());
+    const Slopes<Lanes> slopes{hn::Set(d, packet.common_slope_u), hn::Set(d, packet.common_slope_v)};
+    asked = hn::AndNot(surely_behind(d, a, b, c, sign, slopes), asked);
+    if (hn::AllFalse(d, asked)) return {sure, nearest};
+
+    // The others, each as if alone.
     const auto decide = [&](std::size_t lane) {
         const auto point = [&](int which) {
             const float* p = corners.corner[which][place];
@@ -305,10 +319,8 @@ HWY_INLINE Meeting<LaneTag> meet_parallel(const Packet& packet, const Slopes<Lan
         return meet_in_double(point(0), point(1), point(2), axes.sign(), packet.common_slope_u,
                               packet.common_slope_v);
     };
-    const Slopes<Lanes> slopes{hn::Set(d, packet.common_slope_u), hn::Set(d, packet.common_slope_v)};
-    const auto met =
-        meet_one_ray(d, corner(0), corner(1), corner(2), hn::Set(d, axes.sign()), slopes, best, decide);
-    if (wanted == Wanted::closest) return met;
+    const Lanes best_of_asked = hn::IfThenElse(asked, best, hn::Neg(hn::Inf(d)));
+    const auto met = meet_one_ray(d, a, b, c, sign, slopes, best_of_asked, decide);
     return {hn::Or(sure, met.inside), hn::IfThenElse(sure, nearest, met.depth)};
 }
 
