@@ -123,22 +123,29 @@ HWY_INLINE EdgeFunctions<V> edge_functions(D d, const Places<V>& at, V half, V p
 /// Whether a ray has the plane of a triangle behind it, so that `meet_one_ray` finds no hit: with most of a
 /// sun's shadow rays and the triangle they start on, which edge functions leave in doubt.
 ///
-/// The depth has the sign of volume over divisor. Both are rounded, relative to what they are made of, by
-/// less than `rounding_margin`; a divisor that is even larger than that part of the squared distance has the
-/// sign of the edge functions' sum in double as well, whatever those round to.
+/// The depth has the sign of volume over divisor. Each is a sum of products of coordinates and of edges, and
+/// seven roundings in a row leave it off by less than `rounding_margin` of the sum of their magnitudes: less
+/// than nothing where a wall stands along an axis. A divisor of more than that part of the squared distance
+/// has the sign of the sum of edge functions in double, too, whatever those round to.
 /// @param a, b, c  relative to the ray's own origin, K not yet along it
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> surely_behind(D d, Vec3<V> a, Vec3<V> b, Vec3<V> c, V sign, const Slopes<V>& slopes) {
     for (Vec3<V>* corner : {&a, &b, &c}) corner->k = hn::Mul(corner->k, sign);
     const Vec3<V> ab = difference(b, a), ac = difference(c, a), n = cross(ab, ac);
-    const V volume = hn::MulAdd(a.k, n.k, hn::MulAdd(a.u, n.u, hn::Mul(a.v, n.v)));
-    const V divisor = along(n, slopes);
-    const V size_ab = size(ab), size_ac = size(ac);
-    const V reach = hn::Add(size(a), hn::Add(size_ab, size_ac));
+    const auto dot = [](const Vec3<V>& p, const Vec3<V>& q)
+                         HWY_ATTR { return hn::MulAdd(p.k, q.k, hn::MulAdd(p.u, q.u, hn::Mul(p.v, q.v))); };
+    const V volume = dot(a, n), divisor = along(n, slopes);
+
+    const Vec3<V> size_a = magnitudes(a), size_ab = magnitudes(ab), size_ac = magnitudes(ac);
+    const auto magnitude = [](V p, V q, V r, V s) HWY_ATTR { return hn::MulAdd(p, q, hn::Mul(r, s)); };
+    const Vec3<V> size_n{magnitude(size_ab.u, size_ac.v, size_ab.v, size_ac.u),
+                         magnitude(size_ab.v, size_ac.k, size_ab.k, size_ac.v),
+                         magnitude(size_ab.k, size_ac.u, size_ab.u, size_ac.k)};
+    const V reach = hn::Add(size(a), hn::Add(size(ab), size(ac)));
     const V margin = hn::Set(d, rounding_margin), underflow = hn::Set(d, 0x1p-120f);
-    const auto known = hn::And(
-        hn::Gt(hn::Abs(volume), hn::MulAdd(hn::Mul(hn::Mul(reach, size_ab), size_ac), margin, underflow)),
-        hn::Gt(hn::Abs(divisor), hn::MulAdd(hn::Mul(reach, reach), margin, underflow)));
+    const auto known =
+        hn::And(hn::Gt(hn::Abs(volume), hn::MulAdd(dot(size_a, size_n), margin, underflow)),
+                hn::Gt(hn::Abs(divisor), hn::MulAdd(hn::Mul(reach, reach), margin, underflow)));
     return hn::And(known, hn::Lt(hn::Xor(volume, hn::And(divisor, hn::SignBit(d))), hn::Zero(d)));
 }
 

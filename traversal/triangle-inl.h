@@ -55,6 +55,11 @@ HWY_INLINE Vec3<V> cross(const Vec3<V>& a, const Vec3<V>& b) {
 }
 
 template <class V>
+HWY_INLINE Vec3<V> magnitudes(const Vec3<V>& a) {
+    return {hn::Abs(a.k), hn::Abs(a.u), hn::Abs(a.v)};
+}
+
+template <class V>
 HWY_INLINE V size(const Vec3<V>& a) {
     return hn::Add(hn::Add(hn::Abs(a.k), hn::Abs(a.u)), hn::Abs(a.v));
 }
