@@ -1,6 +1,6 @@
 #pragma once
 // Rays through the grid one at a time: what coherent traversal is measured against, and the way of rays
-// that have no common origin.
+// that have neither origin nor direction in common.
 
 #include "traversal/grid_scene.h"
 #include "traversal/occupied_cells.h"
