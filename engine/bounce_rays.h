@@ -13,7 +13,7 @@ namespace gridreel::engine {
 /// leaves a Lambert surface: the direction is the normal plus a point of the unit sphere.
 ///
 /// @param seed  another one, another direction; the same one, the same
-/// @param rays  without a common origin
+/// @param rays  without a common origin or direction
 void set_bounce_ray(const SurfaceShape& surface, std::uint32_t seed, std::size_t index,
                     traversal::RayBatch& rays);
 

@@ -11,7 +11,8 @@
 namespace gridreel::engine {
 
 /// One ray per sample: pixel after pixel, the samples of a pixel side by side. A perspective camera's rays
-/// have their eye in common. t is the depth along the view axis, metres.
+/// have their eye in common, an orthographic one's their direction. t is the depth along the view axis,
+/// metres.
 ///
 /// @param pixels  a run of `pixel_order`
 /// @param rays    resized

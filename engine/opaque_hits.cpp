@@ -53,13 +53,17 @@ TraceCost OpaqueHits::closest(traversal::Tracer& tracer, const traversal::RayBat
     while (!ray_of_.empty()) {
         // Trace the rays that go on.
         const bool sparse = ray_of_.size() < rays.size() / sparse_share;
-        const std::optional<glm::vec3> origin = sparse ? std::nullopt : rays.common_origin;
-        rest_.resize(ray_of_.size(), origin, rays.order);
+        const bool parallel = !sparse && rays.common_direction;
+        if (parallel) {
+            rest_.resize_parallel(ray_of_.size(), *rays.common_direction, rays.order);
+        } else {
+            rest_.resize(ray_of_.size(), sparse ? std::nullopt : rays.common_origin, rays.order);
+        }
         rest_.after_triangle.resize(ray_of_.size());
         tbb::parallel_for(std::size_t{0}, ray_of_.size(), [&](std::size_t i) {
             const std::size_t ray = ray_of_[i];
-            if (!origin) rest_.set_origin(i, rays.origin_of(ray));
-            rest_.set_direction(i, rays.direction_of(ray));
+            if (!rest_.common_origin) rest_.set_origin(i, rays.origin_of(ray));
+            if (!parallel) rest_.set_direction(i, rays.direction_of(ray));
             rest_.t_min[i] = rays.t_min[ray];
             rest_.t_max[i] = rays.t_max[ray];
             rest_.after_triangle[i] = hits.triangle[ray];

@@ -3,7 +3,6 @@
 #include <glm/geometric.hpp>
 
 #include <limits>
-#include <optional>
 
 namespace gridreel::engine {
 namespace {
@@ -21,8 +20,11 @@ bool may_light(const PosedLight& light, const SurfaceShape& surface) {
 }
 
 void begin_shadow_rays(const PosedLight& light, std::size_t count, traversal::RayBatch& rays) {
-    rays.resize(count, has_place(light) ? std::optional(light.position) : std::nullopt,
-                traversal::RayOrder::arbitrary);
+    if (has_place(light)) {
+        rays.resize(count, light.position, traversal::RayOrder::arbitrary);
+    } else {
+        rays.resize_parallel(count, -light.direction, traversal::RayOrder::arbitrary);
+    }
 }
 
 void set_shadow_ray(const PosedLight& light, const SurfaceShape& surface, std::size_t index,
@@ -37,7 +39,6 @@ void set_shadow_ray(const PosedLight& light, const SurfaceShape& surface, std::s
         rays.t_max[index] = 1.0f - end.gap;
     } else {
         rays.set_origin(index, end.point);
-        rays.set_direction(index, arrival.to_light);
         rays.t_max[index] = std::numeric_limits<float>::infinity();
     }
 }

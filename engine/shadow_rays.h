@@ -12,8 +12,8 @@ namespace gridreel::engine {
 /// Whether light arrives on the viewer's side of the surface, if nothing is in its way.
 [[nodiscard]] bool may_light(const PosedLight& light, const SurfaceShape& surface);
 
-/// Makes room for `count` rays. A light with a place is their common origin, for the tracer to sort them into
-/// packets; those of a directional light begin at the surfaces.
+/// Makes room for `count` rays. A light with a place is their common origin; those of a directional light
+/// begin at the surfaces and have their direction in common. Either way the tracer sorts them into packets.
 void begin_shadow_rays(const PosedLight& light, std::size_t count, traversal::RayBatch& rays);
 
 /// Sets ray `index` of a batch begun for the light. Whatever it hits keeps the light from the surface.

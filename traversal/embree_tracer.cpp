@@ -86,9 +86,15 @@ void fill(const RayBatch& rays, const Lanes& lanes, RTCRay16& packet, std::array
         copy_lanes(rays.origin[1], lanes, packet.org_y);
         copy_lanes(rays.origin[2], lanes, packet.org_z);
     }
-    copy_lanes(rays.direction[0], lanes, packet.dir_x);
-    copy_lanes(rays.direction[1], lanes, packet.dir_y);
-    copy_lanes(rays.direction[2], lanes, packet.dir_z);
+    if (rays.common_direction) {
+        std::fill_n(packet.dir_x, width, rays.common_direction->x);
+        std::fill_n(packet.dir_y, width, rays.common_direction->y);
+        std::fill_n(packet.dir_z, width, rays.common_direction->z);
+    } else {
+        copy_lanes(rays.direction[0], lanes, packet.dir_x);
+        copy_lanes(rays.direction[1], lanes, packet.dir_y);
+        copy_lanes(rays.direction[2], lanes, packet.dir_z);
+    }
     copy_lanes(rays.t_min, lanes, packet.tnear);
     copy_lanes(rays.t_max, lanes, packet.tfar);
     std::fill_n(packet.time, width, 0.0f);
@@ -251,7 +257,7 @@ void in_parallel(std::size_t count, const Work& work) {
 }
 
 bool are_neighbours(const RayBatch& rays) {
-    return rays.order == RayOrder::coherent || rays.common_origin.has_value();
+    return rays.order == RayOrder::coherent || rays.common_origin || rays.common_direction;
 }
 
 }  // namespace
@@ -343,7 +349,8 @@ bool EmbreeTracer::in_packets(const RayBatch& rays) const {
 }
 
 const std::uint32_t* EmbreeTracer::order_of(const RayBatch& rays) {
-    const bool sorts = way_ == EmbreeRays::sorted && rays.common_origin && rays.order == RayOrder::arbitrary;
+    const bool sorts = way_ == EmbreeRays::sorted && (rays.common_origin || rays.common_direction) &&
+                       rays.order == RayOrder::arbitrary;
     return sorts ? ray_sort_.sort(rays).order.data() : nullptr;
 }
 

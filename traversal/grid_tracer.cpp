@@ -142,7 +142,10 @@ std::size_t GridTracer::digest_bytes() const {
 }
 
 bool GridTracer::in_packets(const RayBatch& rays) const {
-    return traversal_ == Traversal::coherent && rays.common_origin.has_value();
+    if (traversal_ == Traversal::one_by_one) return false;
+    // Without a way to run, no packet has axes.
+    const bool parallel = rays.common_direction && !frame_of_parallel(rays).hits_nothing();
+    return parallel || rays.common_origin.has_value();
 }
 
 }  // namespace gridreel::traversal

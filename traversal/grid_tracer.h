@@ -11,8 +11,8 @@
 
 namespace gridreel::traversal {
 
-/// Rebuilds a uniform grid and traces rays through it: batches with a common origin as coherent packets,
-/// all others a few at a time, each on its own way; or, if told so, all of them ray by ray.
+/// Rebuilds a uniform grid and traces rays through it: batches with a common origin or direction as coherent
+/// packets, all others a few at a time, each on its own way; or, if told so, all of them ray by ray.
 class GridTracer final : public Tracer {
 public:
     enum class Traversal { coherent, one_by_one };

@@ -13,6 +13,9 @@
 #include "traversal/grid_scene.h"
 #include "traversal/lanes-inl.h"
 #include "traversal/packet.h"
+#include "traversal/parallel_depths-inl.h"
+#include "traversal/parallel_meeting-inl.h"
+#include "traversal/parallel_triangle-inl.h"
 #include "traversal/tracer.h"
 #include "traversal/triangle-inl.h"
 
@@ -21,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
@@ -38,7 +42,8 @@ struct Frustum {
 };
 
 HWY_INLINE Frustum frustum_of(const Packet& packet, BlockMask active) {
-    float low_u = 2.0f, high_u = -2.0f, low_v = 2.0f, high_v = -2.0f;
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    float low_u = infinity, high_u = -infinity, low_v = infinity, high_v = -infinity;
     Frustum hull;
     hull.near_depth = packet.near_depth[std::countr_zero(active)];
     for (BlockMask rest = active; rest != 0; rest &= rest - 1) {
@@ -52,8 +57,8 @@ HWY_INLINE Frustum frustum_of(const Packet& packet, BlockMask active) {
     }
     hull.centre_u = 0.5f * (low_u + high_u);
     hull.centre_v = 0.5f * (low_v + high_v);
-    hull.half_u = std::max(high_u - hull.centre_u, hull.centre_u - low_u) + rounding_margin;
-    hull.half_v = std::max(high_v - hull.centre_v, hull.centre_v - low_v) + rounding_margin;
+    hull.half_u = std::max(high_u - hull.centre_u, hull.centre_u - low_u) + packet.margin;
+    hull.half_v = std::max(high_v - hull.centre_v, hull.centre_v - low_v) + packet.margin;
     return hull;
 }
 
@@ -86,13 +91,8 @@ HWY_INLINE hn::Mask<LaneTag> may_be_inside(LaneTag d, const EdgeFunctions<Lanes>
 /// A triangle whose box meets more blocks than this is held against each block's edge functions first.
 constexpr int few_blocks = 4;
 
-/// The slopes a triangle is seen at, less the aim's: boxes, wide enough for rounding.
-struct SlopeBox {
-    Lanes low_u, high_u, low_v, high_v;
-};
-
-HWY_INLINE SlopeBox slope_box(LaneTag d, const Vec3<Lanes>& a, const Vec3<Lanes>& b, const Vec3<Lanes>& c,
-                              Lanes sign, const Slopes<Lanes>& aim) {
+HWY_INLINE SlopeBox<Lanes> slope_box(LaneTag d, const Vec3<Lanes>& a, const Vec3<Lanes>& b,
+                                     const Vec3<Lanes>& c, Lanes sign, const Slopes<Lanes>& aim) {
     const auto slopes = [&](const Vec3<Lanes>& p) {
         const Lanes depth = hn::Mul(p.k, sign);
         const Lanes per_depth = hn::Div(hn::Set(d, 1.0f), depth);
@@ -122,6 +122,7 @@ HWY_INLINE SlopeBox slope_box(LaneTag d, const Vec3<Lanes>& a, const Vec3<Lanes>
 }
 
 /// Edge functions of 16 triangles into `table`. @return a bit for each that the frustum does not cull
+template <Bundle bundle>
 HWY_INLINE unsigned cull_by_frustum(const CornerTable<group>& corners, const Packet& packet,
                                     const Frustum& frustum, EdgeTable& table) {
     const LaneTag d;
@@ -133,8 +134,17 @@ HWY_INLINE unsigned cull_by_frustum(const CornerTable<group>& corners, const Pac
         const Vec3<Lanes> a = corners.lanes(d, 0, first, seen), b = corners.lanes(d, 1, first, seen),
                           c = corners.lanes(d, 2, first, seen);
         const Lanes sign = hn::Set(d, packet.axes.sign());
-        const auto edges = edge_functions(d, a, b, c, sign, aim);
-        const SlopeBox box = slope_box(d, a, b, c, sign, aim.slopes);
+        EdgeFunctions<Lanes> edges;
+        SlopeBox<Lanes> box;
+        if constexpr (bundle == Bundle::parallel) {
+            const Slopes<Lanes> slopes{hn::Set(d, packet.common_slope_u), hn::Set(d, packet.common_slope_v)};
+            const auto places = places_along(d, a, b, c, sign, slopes, aim.slopes);
+            edges = edge_functions(d, places, aim.half, hn::Set(d, packet.margin));
+            box = place_box(places, hn::Set(d, packet.margin));
+        } else {
+            edges = edge_functions(d, a, b, c, sign, aim);
+            box = slope_box(d, a, b, c, sign, aim.slopes);
+        }
         hn::Store(box.low_u, d, table.low_u + first);
         hn::Store(box.high_u, d, table.high_u + first);
         hn::Store(box.low_v, d, table.low_v + first);
@@ -236,55 +246,78 @@ HWY_INLINE BlockMask blocks_that_may_hit(const Packet& packet, const Slopes<Lane
     return blocks;
 }
 
-/// One triangle against the rays of one block. Equal depths go to the lower index, whatever the order of
-/// tests.
+/// Where rays of a pencil meet a triangle: those in the lanes from `first` on.
 /// @param corners  for what the edge functions leave in doubt: the triangle's are at `place`
+HWY_INLINE Meeting<LaneTag> meet_pencil(const Packet& packet, const Slopes<Lanes>& aim,
+                                        const EdgeFunctions<Lanes>& edges, const CornerTable<group>& corners,
+                                        std::size_t place, std::size_t first) {
+    const LaneTag d;
+    const float* slope_u = packet.slope_u + first;
+    const float* slope_v = packet.slope_v + first;
+    const auto decide = [&](std::size_t lane) {
+        const Viewpoint seen(packet.origin, packet.axes);
+        return meet_in_double(corners.point(0, place, seen), corners.point(1, place, seen),
+                              corners.point(2, place, seen), packet.axes.sign(), slope_u[lane],
+                              slope_v[lane]);
+    };
+    const Slopes<Lanes> slopes{hn::Load(d, slope_u), hn::Load(d, slope_v)};
+    const Lanes least = least_edge(edges, difference(slopes, aim));
+    return meet(d, edges, least, slopes, hn::Load(d, packet.depth + first), decide);
+}
+
+/// Keeps what comes sooner than the hits so far, of rays from `first` on. Equal depths go to the lower index,
+/// whatever the order of tests.
+/// @return whether anything does
 template <Wanted wanted>
+HWY_INLINE bool keep_sooner(Packet& packet, const Meeting<LaneTag>& met, std::uint32_t triangle,
+                            std::size_t first) {
+    const LaneTag d;
+    const hn::RebindToUnsigned<LaneTag> du;
+    const auto index = hn::Set(du, triangle);
+    const Lanes best = hn::Load(d, packet.depth + first);
+    const auto held = hn::Load(du, packet.triangle + first);
+    const auto wins_tie = hn::And(hn::Eq(met.depth, best), hn::RebindMask(d, hn::Lt(index, held)));
+    const Lanes depth_min = hn::Load(d, packet.depth_min + first);
+    const auto is_after = hn::RebindMask(d, hn::Gt(index, hn::Load(du, packet.after + first)));
+    const auto begun = hn::Or(hn::Gt(met.depth, depth_min), hn::And(hn::Eq(met.depth, depth_min), is_after));
+    const auto closer = hn::And(hn::And(met.inside, begun), hn::Or(hn::Lt(met.depth, best), wins_tie));
+    if (hn::AllFalse(d, closer)) return false;
+    const Lanes depth = wanted == Wanted::any ? hn::Set(d, -1.0f) : met.depth;
+    hn::Store(hn::IfThenElse(closer, depth, best), d, packet.depth + first);
+    hn::Store(hn::IfThenElse(hn::RebindMask(du, closer), index, held), du, packet.triangle + first);
+    return true;
+}
+
+/// One triangle against the rays of one block.
+/// @param corners  for what the edge functions leave in doubt: the triangle's are at `place`
+template <Wanted wanted, Bundle bundle>
 HWY_INLINE void intersect_block(Packet& packet, const Slopes<Lanes>& aim, const EdgeFunctions<Lanes>& edges,
                                 const CornerTable<group>& corners, std::size_t place, std::uint32_t triangle,
                                 int block) {
     const LaneTag d;
-    const hn::RebindToUnsigned<LaneTag> du;
-    const auto index = hn::Set(du, triangle);
     bool changed = false;
     const std::size_t begin = static_cast<std::size_t>(block) * rays_per_block;
     for (std::size_t first = begin; first < begin + rays_per_block; first += hn::Lanes(d)) {
-        const float* slope_u = packet.slope_u + first;
-        const float* slope_v = packet.slope_v + first;
-        const Lanes best = hn::Load(d, packet.depth + first);
-        const auto decide = [&](std::size_t lane) {
-            const Viewpoint seen(packet.origin, packet.axes);
-            return meet_in_double(corners.point(0, place, seen), corners.point(1, place, seen),
-                                  corners.point(2, place, seen), packet.axes.sign(), slope_u[lane],
-                                  slope_v[lane]);
-        };
-        const Slopes<Lanes> slopes{hn::Load(d, slope_u), hn::Load(d, slope_v)};
-        const Lanes least = least_edge(edges, difference(slopes, aim));
-        const auto met = meet(d, edges, least, slopes, best, decide);
-        const auto held = hn::Load(du, packet.triangle + first);
-        const auto wins_tie = hn::And(hn::Eq(met.depth, best), hn::RebindMask(d, hn::Lt(index, held)));
-        const Lanes depth_min = hn::Load(d, packet.depth_min + first);
-        const auto is_after = hn::RebindMask(d, hn::Gt(index, hn::Load(du, packet.after + first)));
-        const auto begun =
-            hn::Or(hn::Gt(met.depth, depth_min), hn::And(hn::Eq(met.depth, depth_min), is_after));
-        const auto closer = hn::And(hn::And(met.inside, begun), hn::Or(hn::Lt(met.depth, best), wins_tie));
-        if (hn::AllFalse(d, closer)) continue;
-        changed = true;
-        const Lanes depth = wanted == Wanted::any ? hn::Set(d, -1.0f) : met.depth;
-        hn::Store(hn::IfThenElse(closer, depth, best), d, packet.depth + first);
-        hn::Store(hn::IfThenElse(hn::RebindMask(du, closer), index, held), du, packet.triangle + first);
+        const auto met = bundle == Bundle::parallel
+                             ? meet_parallel<wanted>(packet, aim, edges, corners, place, first)
+                             : meet_pencil(packet, aim, edges, corners, place, first);
+        if (keep_sooner<wanted>(packet, met, triangle, first)) changed = true;
     }
     if (!changed) return;
-    Lanes farthest = hn::Load(d, packet.depth + begin);
-    for (std::size_t first = begin + hn::Lanes(d); first < begin + rays_per_block; first += hn::Lanes(d)) {
-        farthest = hn::Max(farthest, hn::Load(d, packet.depth + first));
+    if constexpr (bundle == Bundle::parallel) {
+        packet.far_depth[block] = farthest_parallel_depth(packet, begin);
+    } else {
+        Lanes farthest = hn::Load(d, packet.depth + begin);
+        for (std::size_t i = begin + hn::Lanes(d); i < begin + rays_per_block; i += hn::Lanes(d)) {
+            farthest = hn::Max(farthest, hn::Load(d, packet.depth + i));
+        }
+        packet.far_depth[block] = hn::GetLane(hn::MaxOfLanes(d, farthest));
     }
-    packet.far_depth[block] = hn::GetLane(hn::MaxOfLanes(d, farthest));
 }
 
 /// Intersects the waiting triangles with the active blocks and lets them go.
 /// Blocks whose rays need nothing more leave `active`.
-template <Wanted wanted>
+template <Wanted wanted, Bundle bundle>
 void intersect(const GridScene& scene, Packet& packet, BlockMask& active, const Frustum& frustum,
                Candidates& candidates, TraceReport& report) {
     const Slopes<Lanes> aim = frustum.centre(LaneTag());
@@ -301,7 +334,7 @@ void intersect(const GridScene& scene, Packet& packet, BlockMask& active, const 
     for (std::size_t begin = 0; begin < candidates.size() && active != 0; begin += group) {
         if (begin + group < candidates.size()) gather_at(begin + group);
         const CornerTable<group>& corners = tables[begin / group % 2];
-        unsigned survivors = cull_by_frustum(corners, packet, frustum, edge_table);
+        unsigned survivors = cull_by_frustum<bundle>(corners, packet, frustum, edge_table);
         const std::size_t count = std::min(group, candidates.size() - begin);
         if (HWY_UNLIKELY(!scene.packets.culling)) survivors = ~0u;
         survivors &= (1u << count) - 1u;
@@ -318,8 +351,8 @@ void intersect(const GridScene& scene, Packet& packet, BlockMask& active, const 
             report.triangle_tests += static_cast<std::uint64_t>(std::popcount(blocks)) * rays_per_block;
             for (; blocks != 0; blocks &= blocks - 1) {
                 const int block = std::countr_zero(blocks);
-                intersect_block<wanted>(packet, aim, edges, corners, std::size_t(i), triangles_of(begin)[i],
-                                        block);
+                intersect_block<wanted, bundle>(packet, aim, edges, corners, std::size_t(i),
+                                                triangles_of(begin)[i], block);
                 if (packet.far_depth[block] < 0.0f) active &= ~(BlockMask{1} << block);
             }
         }

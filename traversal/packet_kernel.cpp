@@ -8,6 +8,7 @@
 
 #include "traversal/packet_load-inl.h"
 #include "traversal/packet_march-inl.h"
+#include "traversal/parallel_load-inl.h"
 
 #include <algorithm>
 #include <array>
@@ -18,17 +19,42 @@ HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
 namespace HWY_NAMESPACE {
 
+/// Fills the packet with rays of one face.
+template <Bundle bundle, Wanted wanted>
+HWY_INLINE void load_cut(const GridScene& scene, const PacketSource& source, const PacketSource::Cut& cut,
+                         Packet& packet) {
+    if constexpr (bundle == Bundle::parallel) {
+        load_parallel_chosen(source, scene.grid.top().bounds, source.sorted->order.data() + cut.begin,
+                             cut.end - cut.begin, packet);
+    } else {
+        load_sorted<wanted>(source, cut, packet);
+    }
+}
+
+/// Fills the packet with rays in the batch's own order, if they all run the same way and can hit something.
+/// @return whether they do
+template <Bundle bundle>
+HWY_INLINE bool load_as_they_come(const GridScene& scene, const PacketSource& source,
+                                  const PacketSource::Cut& cut, Packet& packet) {
+    const std::size_t count = cut.end - cut.begin;
+    if constexpr (bundle == Bundle::parallel) {
+        return load_parallel_run(source, scene.grid.top().bounds, cut.begin, count, packet);
+    } else {
+        return load_uniform(source, cut.begin, count, packet);
+    }
+}
+
 /// Rays [begin, end) of a batch in its own order, at most a packet of them, that do not all run the same way:
 /// calls `use` with a packet for every way, and `dead` for each ray that hits nothing.
-template <class Use, class Dead>
-void for_each_face(const PacketSource& source, std::size_t begin, std::size_t end, Packet& packet,
-                   const Use& use, const Dead& dead) {
+template <Bundle bundle, class Use, class Dead>
+void for_each_face(const GridScene& scene, const PacketSource& source, std::size_t begin, std::size_t end,
+                   Packet& packet, const Use& use, const Dead& dead) {
     std::array<std::array<std::uint32_t, rays_per_packet>, face_count> faces;
     std::array<std::size_t, face_count> counts{};
     for (std::size_t i = begin; i < end; ++i) {
         const auto ray = static_cast<std::uint32_t>(i);
         const RayFrame frame = source.resumed.frame(source.rays, ray);
-        if (frame.hits_nothing()) {
+        if (frame.hits_nothing() || !rebuild::is_traceable(source.rays.origin_of(ray))) {
             dead(ray);
         } else {
             faces[frame.axes.face()][counts[frame.axes.face()]++] = ray;
@@ -36,19 +62,24 @@ void for_each_face(const PacketSource& source, std::size_t begin, std::size_t en
     }
     for (unsigned face = 0; face < face_count; ++face) {
         if (counts[face] == 0) continue;
-        load_chosen(source, axes_of_face(face), std::span(faces[face].data(), counts[face]), packet);
+        if constexpr (bundle == Bundle::parallel) {
+            load_parallel_chosen(source, scene.grid.top().bounds, faces[face].data(), counts[face], packet);
+        } else {
+            load_chosen(source, axes_of_face(face), std::span(faces[face].data(), counts[face]), packet);
+        }
         use(packet);
     }
 }
 
 /// Whether any ray can hit anything.
 HWY_INLINE bool is_traceable(const GridScene& scene, const PacketSource& source) {
-    return !scene.grid.empty() && rebuild::is_traceable(*source.rays.common_origin);
+    return !scene.grid.empty() &&
+           (!source.rays.common_origin || rebuild::is_traceable(*source.rays.common_origin));
 }
 
 /// @param store  writes a marched packet's answers
 /// @param dead   writes the answer of a ray that hits nothing
-template <Wanted wanted, class Store, class Dead>
+template <Bundle bundle, Wanted wanted, class Store, class Dead>
 TraceReport trace_packets(const GridScene& scene, const PacketSource& source, std::size_t first,
                           std::size_t last, const Store& store, const Dead& dead) {
     TraceReport report;
@@ -56,23 +87,25 @@ TraceReport trace_packets(const GridScene& scene, const PacketSource& source, st
     Candidates candidates;
     const bool traceable = is_traceable(scene, source);
     const auto trace = [&](Packet& loaded) {
-        if (traceable) March<wanted>(scene, loaded, candidates, report).run();
+        March<wanted, bundle>(scene, loaded, candidates, report).run();
         store(loaded);
     };
     for (std::size_t p = first; p < last; ++p) {
         const PacketSource::Cut cut = source.cut(p);
         report.rays += cut.end - cut.begin;
         if (source.sorted != nullptr) {
-            if (cut.begin >= source.sorted->face_begin[face_count]) {
+            if (!traceable || cut.begin >= source.sorted->face_begin[face_count]) {
                 for (std::size_t i = cut.begin; i < cut.end; ++i) dead(source.sorted->order[i]);
                 continue;
             }
-            load_sorted<wanted>(source, cut, packet);
+            load_cut<bundle, wanted>(scene, source, cut, packet);
             trace(packet);
-        } else if (load_uniform(source, cut.begin, cut.end - cut.begin, packet)) {
+        } else if (!traceable) {
+            for (std::size_t i = cut.begin; i < cut.end; ++i) dead(static_cast<std::uint32_t>(i));
+        } else if (load_as_they_come<bundle>(scene, source, cut, packet)) {
             trace(packet);
         } else {
-            for_each_face(source, cut.begin, cut.end, packet, trace, dead);
+            for_each_face<bundle>(scene, source, cut.begin, cut.end, packet, trace, dead);
         }
     }
     return report;
@@ -80,22 +113,27 @@ TraceReport trace_packets(const GridScene& scene, const PacketSource& source, st
 
 TraceReport closest_in_packets(const GridScene& scene, const PacketSource& source, std::size_t begin,
                                std::size_t end, HitBatch& hits) {
-    return trace_packets<Wanted::closest>(
-        scene, source, begin, end, [&](const Packet& packet) { store_hits(packet, hits); },
-        [&](std::uint32_t ray) {
-            hits.t[ray] = std::numeric_limits<float>::infinity();
-            hits.triangle[ray] = no_triangle;
-        });
+    const auto store = [&](const Packet& packet) { store_hits(packet, hits); };
+    const auto dead = [&](std::uint32_t ray) {
+        hits.t[ray] = std::numeric_limits<float>::infinity();
+        hits.triangle[ray] = no_triangle;
+    };
+    return source.bundle() == Bundle::parallel
+               ? trace_packets<Bundle::parallel, Wanted::closest>(scene, source, begin, end, store, dead)
+               : trace_packets<Bundle::pencil, Wanted::closest>(scene, source, begin, end, store, dead);
 }
 
 TraceReport any_in_packets(const GridScene& scene, const PacketSource& source, std::size_t begin,
                            std::size_t end, OcclusionBatch& occluded) {
-    return trace_packets<Wanted::any>(
-        scene, source, begin, end, [&](const Packet& packet) { store_occlusion(packet, occluded); },
-        [&](std::uint32_t ray) { occluded[ray] = 0; });
+    const auto store = [&](const Packet& packet) { store_occlusion(packet, occluded); };
+    const auto dead = [&](std::uint32_t ray) { occluded[ray] = 0; };
+    return source.bundle() == Bundle::parallel
+               ? trace_packets<Bundle::parallel, Wanted::any>(scene, source, begin, end, store, dead)
+               : trace_packets<Bundle::pencil, Wanted::any>(scene, source, begin, end, store, dead);
 }
 
 /// Packets of neighbours in the batch's own order: of each so many, one is tried before the others.
+template <Bundle bundle>
 class Attempts {
 public:
     Attempts(const GridScene& scene, const PacketSource& source, OcclusionBatch& occluded)
@@ -128,11 +166,11 @@ private:
     bool trace(const PacketSource::Cut& cut) {
         // Sorting a ray takes about 70 cycles, and what is left to be sorted is the dearer the thinner it is.
         constexpr std::uint64_t work_per_ray = 20;
-        if (!load_uniform(source_, cut.begin, cut.end - cut.begin, packet_)) {
+        if (!load_as_they_come<bundle>(scene_, source_, cut, packet_)) {
             give_up(cut);
             return false;
         }
-        March<Wanted::any> march(scene_, packet_, candidates_, report_);
+        March<Wanted::any, bundle> march(scene_, packet_, candidates_, report_);
         const BlockMask open = march.run(work_per_ray * packet_.ray_count);
         for (std::size_t lane = 0; lane < packet_.ray_count; ++lane) {
             const bool is_open = (open >> lane / rays_per_block & 1) != 0;
@@ -163,11 +201,15 @@ TraceReport any_where_cheap(const GridScene& scene, const PacketSource& source, 
         }
         return {};
     }
-    Attempts attempts(scene, source, occluded);
-    for (std::size_t p = begin; p < end; p += packets_per_attempt) {
-        attempts.run(p, std::min(p + packets_per_attempt, end));
-    }
-    return attempts.report();
+    const auto report_of = [&](auto attempts) {
+        for (std::size_t p = begin; p < end; p += packets_per_attempt) {
+            attempts.run(p, std::min(p + packets_per_attempt, end));
+        }
+        return attempts.report();
+    };
+    return source.bundle() == Bundle::parallel
+               ? report_of(Attempts<Bundle::parallel>(scene, source, occluded))
+               : report_of(Attempts<Bundle::pencil>(scene, source, occluded));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,5 +1,5 @@
 #pragma once
-// Coherent grid traversal: a batch with a common origin, packet by packet.
+// Coherent grid traversal: a batch with a common origin or direction, packet by packet.
 
 #include "traversal/grid_scene.h"
 #include "traversal/packet.h"
@@ -13,7 +13,7 @@
 
 namespace gridreel::traversal {
 
-/// A batch with a common origin, cut into packets.
+/// A batch with a common origin or direction, cut into packets.
 class PacketSource {
 public:
     /// @param begun        with `batch`
@@ -22,6 +22,7 @@ public:
                  const PacketOptions& options = {});
 
     [[nodiscard]] std::size_t packet_count() const { return packet_begin_.back(); }
+    [[nodiscard]] Bundle bundle() const { return rays.common_direction ? Bundle::parallel : Bundle::pencil; }
 
     const RayBatch& rays;
     const ResumedRays& resumed;

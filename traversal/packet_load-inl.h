@@ -11,6 +11,7 @@
 #include "traversal/lanes-inl.h"
 #include "traversal/packet.h"
 #include "traversal/packet_kernel.h"
+#include "traversal/parallel_depths-inl.h"
 #include "traversal/rounding.h"
 
 #include <hwy/cache_control.h>
@@ -27,6 +28,7 @@ namespace gridreel::traversal {
 namespace HWY_NAMESPACE {
 
 /// Least and greatest slope of each block, its depths, and what follows from them.
+template <Bundle bundle = Bundle::pencil>
 HWY_INLINE void bound_blocks(Packet& packet) {
     const LaneTag d;
     const auto reduced = [&](const float* of_block, const auto& combine, const auto& across) {
@@ -58,18 +60,25 @@ HWY_INLINE void bound_blocks(Packet& packet) {
         const auto bound = [&](const float* slopes, float& centre, float& half) {
             const float low = least(slopes), high = greatest(slopes);
             centre = 0.5f * (low + high);
-            half = std::max(high - centre, centre - low) + rounding_margin;
+            half = std::max(high - centre, centre - low) + packet.margin;
         };
         bound(packet.slope_u + first, packet.centre_u[block], packet.half_u[block]);
         bound(packet.slope_v + first, packet.centre_v[block], packet.half_v[block]);
         // A hit just behind depth_min may be rounded beyond it from a slice before.
-        packet.near_depth[block] = least(packet.depth_min + first) * (1.0f - static_cast<float>(depth_error));
-        packet.far_depth[block] = greatest(packet.depth + first);
+        if constexpr (bundle == Bundle::parallel) {
+            packet.near_depth[block] = nearest_parallel_depth(packet, first);
+            packet.far_depth[block] = farthest_parallel_depth(packet, first);
+        } else {
+            packet.near_depth[block] =
+                least(packet.depth_min + first) * (1.0f - static_cast<float>(depth_error));
+            packet.far_depth[block] = greatest(packet.depth + first);
+        }
     }
 }
 
 /// What all ways to fill a packet end with: nothing is hit yet, resumed rays begin where they go on, blocks
 /// have bounds.
+template <Bundle bundle = Bundle::pencil>
 HWY_INLINE void finish_loading(const PacketSource& source, Packet& packet) {
     const LaneTag d;
     const hn::RebindToUnsigned<LaneTag> du;
@@ -89,7 +98,7 @@ HWY_INLINE void finish_loading(const PacketSource& source, Packet& packet) {
             packet.after[lane] = frame.after;
         }
     }
-    bound_blocks(packet);
+    bound_blocks<bundle>(packet);
 }
 
 /// Fills the packet with rays of one face. Only closest hits need `depth_per_t`.
@@ -100,6 +109,7 @@ HWY_INLINE void load_sorted(const PacketSource& source, const PacketSource::Cut&
     const auto count = static_cast<std::uint32_t>(cut.end - cut.begin);
     packet.origin = *source.rays.common_origin;
     packet.axes = cut.axes;
+    packet.margin = rounding_margin;
     packet.ray_count = count;
     const std::uint32_t* order = source.sorted->order.data() + cut.begin;
     const FramedRay* framed = source.sorted->framed.data();
@@ -146,6 +156,7 @@ HWY_INLINE bool load_uniform(const PacketSource& source, std::size_t begin, std:
     if (first.hits_nothing()) return false;
     packet.origin = *rays.common_origin;
     packet.axes = first.axes;
+    packet.margin = rounding_margin;
     packet.ray_count = static_cast<std::uint32_t>(count);
     const Lanes face = hn::Set(d, static_cast<float>(first.axes.face()));
 
@@ -182,6 +193,7 @@ HWY_INLINE void load_chosen(const PacketSource& source, Axes axes, std::span<con
     assert(!rays.empty() && rays.size() <= rays_per_packet);
     packet.origin = source.rays.origin_of(rays[0]);
     packet.axes = axes;
+    packet.margin = rounding_margin;
     packet.ray_count = static_cast<std::uint32_t>(rays.size());
     for (std::size_t lane = 0; lane < packet.block_count() * rays_per_block; ++lane) {
         const std::uint32_t ray = rays[std::min(lane, rays.size() - 1)];

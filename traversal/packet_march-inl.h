@@ -50,14 +50,17 @@ struct Across {
 
 struct Interval {
     double low, high;
-
-    [[nodiscard]] Interval widened(double by) const { return {low - by, high + by}; }
 };
 
-/// Where rays with slopes in [low, high] can be between two depths >= 0.
-inline Interval reach(double low_slope, double high_slope, double from, double to) {
-    return {std::min(from * low_slope, to * low_slope), std::max(from * high_slope, to * high_slope)};
-}
+/// Where rays can be across, along one axis: at depth s from low + s * low_slope to high + s * high_slope.
+struct Sweep {
+    double low, high, low_slope, high_slope;
+
+    [[nodiscard]] Interval between(double from, double to) const {
+        return {low + std::min(from * low_slope, to * low_slope),
+                high + std::max(from * high_slope, to * high_slope)};
+    }
+};
 
 /// One grid as the packet sees it.
 struct Stage {
@@ -70,7 +73,7 @@ struct Stage {
     std::size_t slice_stride;
 };
 
-template <Wanted wanted>
+template <Wanted wanted, Bundle bundle = Bundle::pencil>
 class March {
 public:
     March(const GridScene& scene, Packet& packet, Candidates& candidates, TraceReport& report)
@@ -85,8 +88,8 @@ public:
         const Stage top = stage(0, 0);
         // Corners are rounded when they are taken relative to the origin: far away they stand beside their
         // cells.
-        const rebuild::Bounds3& box = scene_.grid.top().bounds;
-        corner_error_ = corner_error(box, packet_.origin);
+        corner_error_ = bundle == Bundle::parallel ? double(packet_.margin)
+                                                   : corner_error(scene_.grid.top().bounds, packet_.origin);
         candidates_.clear(scene_.packets.mailbox);
         walk_alone(top, packet_.all_blocks(), 0);
         return given_up_;
@@ -171,12 +174,22 @@ private:
     };
     /// Where the frustum's rays can be between two depths.
     [[nodiscard]] Span span_between(const Frustum& frustum, double from, double to) const {
-        return {.u = reach(double(frustum.centre_u) - double(frustum.half_u),
-                           double(frustum.centre_u) + double(frustum.half_u), from, to)
-                         .widened(corner_error_),
-                .v = reach(double(frustum.centre_v) - double(frustum.half_v),
-                           double(frustum.centre_v) + double(frustum.half_v), from, to)
-                         .widened(corner_error_)};
+        return {.u = sweep_u(frustum).between(from, to), .v = sweep_v(frustum).between(from, to)};
+    }
+
+    [[nodiscard]] Sweep sweep_u(const Frustum& frustum) const {
+        return sweep(frustum.centre_u, frustum.half_u, packet_.common_slope_u);
+    }
+    [[nodiscard]] Sweep sweep_v(const Frustum& frustum) const {
+        return sweep(frustum.centre_v, frustum.half_v, packet_.common_slope_v);
+    }
+    [[nodiscard]] Sweep sweep(float centre, float half, const float& common_slope) const {
+        const double low = double(centre) - double(half), high = double(centre) + double(half);
+        if constexpr (bundle == Bundle::parallel) {
+            return {low - corner_error_, high + corner_error_, common_slope, common_slope};
+        } else {
+            return {-corner_error_, corner_error_, low, high};
+        }
     }
 
     /// The first slice from `slice` on whose macrocells hold anything that the frustum can reach, or one that
@@ -214,15 +227,17 @@ private:
     /// The first slice that the frustum can touch: behind the nearest depth, and not before it reaches the
     /// box.
     [[nodiscard]] int first_slice(const Stage& at, const Frustum& frustum) const {
-        double depth = std::max(double(frustum.near_depth), at.first_plane);
-        const auto wait_for = [&](const Across& axis, double low_slope, double high_slope) {
-            if (axis.high < 0.0 && low_slope < 0.0) depth = std::max(depth, axis.high / low_slope);
-            if (axis.low > 0.0 && high_slope > 0.0) depth = std::max(depth, axis.low / high_slope);
+        double depth = std::max(double(frustum.near_depth) - corner_error_, at.first_plane);
+        const auto wait_for = [&](const Across& axis, const Sweep& rays) {
+            if (axis.high < rays.low && rays.low_slope < 0.0) {
+                depth = std::max(depth, (axis.high - rays.low) / rays.low_slope);
+            }
+            if (axis.low > rays.high && rays.high_slope > 0.0) {
+                depth = std::max(depth, (axis.low - rays.high) / rays.high_slope);
+            }
         };
-        wait_for(at.u, double(frustum.centre_u) - double(frustum.half_u),
-                 double(frustum.centre_u) + double(frustum.half_u));
-        wait_for(at.v, double(frustum.centre_v) - double(frustum.half_v),
-                 double(frustum.centre_v) + double(frustum.half_v));
+        wait_for(at.u, sweep_u(frustum));
+        wait_for(at.v, sweep_v(frustum));
         return static_cast<int>(
             std::clamp(std::floor((depth - at.first_plane) / at.slice_depth), 0.0, double(at.slices)));
     }
@@ -297,7 +312,7 @@ private:
             candidates_.drop_all();
             return;
         }
-        intersect<wanted>(scene_, packet_, active, frustum, candidates_, report_);
+        intersect<wanted, bundle>(scene_, packet_, active, frustum, candidates_, report_);
         work_ += (report_.triangle_tests - tests_before) * work_of_test;
         update_reach(active, frustum);
     }

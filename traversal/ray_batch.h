@@ -23,10 +23,11 @@ enum class RayOrder {
 /// unit length; t is in units of the direction's length. A ray with a zero or non-finite direction, an origin
 /// that is not traceable (rebuild/triangle_view.h), or t_min >= t_max hits nothing.
 struct RayBatch {
-    std::optional<glm::vec3> common_origin;  ///< set: every ray starts here and `origin` is empty
+    std::optional<glm::vec3> common_origin;     ///< set: every ray starts here and `origin` is empty
+    std::optional<glm::vec3> common_direction;  ///< set: rays are parallel and `direction` is empty
     RayOrder order = RayOrder::arbitrary;
     std::array<rebuild::Buffer<float>, 3> origin;     ///< x, y, z; empty when there is a common origin
-    std::array<rebuild::Buffer<float>, 3> direction;  ///< x, y, z
+    std::array<rebuild::Buffer<float>, 3> direction;  ///< x, y, z; empty when there is a common direction
     rebuild::Buffer<float> t_min;                     ///< >= 0
     rebuild::Buffer<float> t_max;
     /// Empty, or for every ray a triangle that it is known to meet, whose hit it goes on behind: only hits
@@ -39,10 +40,16 @@ struct RayBatch {
     /// outgrows all earlier batches.
     void resize(std::size_t count, std::optional<glm::vec3> shared_origin, RayOrder ray_order);
 
+    /// The same for rays that have their direction in common, but not their origin.
+    void resize_parallel(std::size_t count, const glm::vec3& shared_direction, RayOrder ray_order);
+
     [[nodiscard]] glm::vec3 origin_of(std::size_t ray) const;
     [[nodiscard]] glm::vec3 direction_of(std::size_t ray) const;
-    void set_origin(std::size_t ray, const glm::vec3& value);  ///< only without a common origin
-    void set_direction(std::size_t ray, const glm::vec3& value);
+    void set_origin(std::size_t ray, const glm::vec3& value);     ///< only without a common origin
+    void set_direction(std::size_t ray, const glm::vec3& value);  ///< only without a common direction
+
+private:
+    void resize_arrays(std::size_t count);
 };
 
 inline constexpr std::uint32_t no_triangle = std::numeric_limits<std::uint32_t>::max();

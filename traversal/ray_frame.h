@@ -69,4 +69,9 @@ struct RayFrame {
     return ray_frame(rays.direction_of(ray), rays.t_min[ray], rays.t_max[ray]);
 }
 
+/// What all rays of a batch with a common direction share: its depths are no ray's.
+[[nodiscard]] inline RayFrame frame_of_parallel(const RayBatch& rays) {
+    return ray_frame(*rays.common_direction, 0.0f, std::numeric_limits<float>::infinity());
+}
+
 }  // namespace gridreel::traversal

@@ -1,22 +1,25 @@
 #include "traversal/ray_sort.h"
 
+#include "rebuild/triangle_view.h"
 #include "traversal/ray_sort_kernel.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
 namespace gridreel::traversal {
 namespace {
 
+constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t rays_per_chunk = 1 << 13;  // fewer are not worth a thread
 
-/// The slopes that occur on one face of the cube of directions.
+/// The slopes, or places of parallel rays, that occur on one face of the cube of directions.
 struct SlopeBounds {
-    float low_u = 2.0f, high_u = -2.0f, low_v = 2.0f, high_v = -2.0f;
+    float low_u = infinity, high_u = -infinity, low_v = infinity, high_v = -infinity;
 
     [[nodiscard]] bool empty() const { return low_u > high_u; }
 
@@ -37,7 +40,16 @@ FaceBounds sampled_bounds(const RayBatch& rays) {
     const std::size_t stride = rays.size() / samples | 1;  // odd, to be out of step with tiles of pixels
     for (std::size_t i = 0; i < rays.size(); i += stride) {
         const RayFrame ray = ray_frame(rays, i);
-        if (!ray.hits_nothing()) bounds[ray.axes.face()].extend(ray.slope_u, ray.slope_v);
+        if (ray.hits_nothing()) continue;
+        SlopeBounds& box = bounds[ray.axes.face()];
+        if (!rays.common_direction) {
+            box.extend(ray.slope_u, ray.slope_v);
+            continue;
+        }
+        const glm::vec3 origin = rays.origin_of(i);
+        if (!rebuild::is_traceable(origin)) continue;
+        const float depth = ray.axes.sign() * origin[ray.axes.k];
+        box.extend(origin[ray.axes.u()] - ray.slope_u * depth, origin[ray.axes.v()] - ray.slope_v * depth);
     }
     return bounds;
 }
@@ -106,7 +118,7 @@ const SortedRays& RaySort::sort(const RayBatch& rays, const OcclusionBatch* only
     if (rays.size() > RayKey::position_mask) throw std::length_error("2^29 rays or more in one batch");
     const auto threads = static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));
     chunks_.resize(std::clamp<std::size_t>(rays.size() / rays_per_chunk, 1, threads));
-    sorted_.framed.resize(rays.size());
+    sorted_.framed.resize(rays.common_direction ? 0 : rays.size());
     keys_.resize(rays.size());
 
     key_and_count(rays, only);

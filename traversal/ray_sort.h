@@ -1,5 +1,5 @@
 #pragma once
-// Bringing rays that start together and point alike next to each other.
+// Bringing rays next to each other that start together and point alike, or that are parallel and near.
 
 #include "rebuild/buffer.h"
 #include "traversal/ray_batch.h"
@@ -20,9 +20,9 @@ struct alignas(16) FramedRay {
 };
 
 /// The rays of a batch with a common origin, by dominant axis and along Hilbert's curve through their slopes
-/// within it.
+/// within it; or those of a batch with a common direction, along the curve through where they cross a plane.
 struct SortedRays {
-    rebuild::Buffer<FramedRay> framed;     ///< one per ray of the batch, in its order
+    rebuild::Buffer<FramedRay> framed;     ///< one per ray of the batch, in its order; none of parallel rays
     rebuild::Buffer<std::uint32_t> order;  ///< positions in the batch: face after face, then the dead
     /// Where each face's rays begin in `order`; the last entry is where the rays that hit nothing begin.
     std::array<std::size_t, face_count + 1> face_begin{};

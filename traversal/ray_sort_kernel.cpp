@@ -6,6 +6,7 @@
 
 #include <hwy/highway.h>
 
+#include "rebuild/triangle_view.h"
 #include "traversal/framed_lanes-inl.h"
 #include "traversal/hilbert_curve.h"
 #include "traversal/lanes-inl.h"
@@ -29,9 +30,60 @@ HWY_INLINE Lanes of_faces(const std::array<float, face_count + 1>& values,
                : hn::GatherIndex(d, values.data(), faces);
 }
 
-std::size_t frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t end,
-                          const OcclusionBatch* only, const KeyMap& map, FramedRay* framed,
-                          std::uint64_t* keys) {
+/// Where rays stand on the curve's square, before `KeyMap`.
+struct CurvePlaces {
+    Lanes u, v, face;
+};
+
+/// Rays of a pencil at their slopes, framed.
+struct PencilPlaces {
+    const RayBatch& rays;
+    FramedRay* framed;
+
+    HWY_INLINE CurvePlaces at(std::size_t i) const {
+        const LaneTag d;
+        const auto read = [&](const rebuild::Buffer<float>& values) {
+            return hn::Load(d, values.data() + i);
+        };
+        const FramedLanes ray = frame_lanes(read(rays.direction[0]), read(rays.direction[1]),
+                                            read(rays.direction[2]), read(rays.t_min), read(rays.t_max));
+        hn::StoreInterleaved4(ray.slope_u, ray.slope_v, ray.depth_min, ray.depth_max, d, &framed[i].slope_u);
+        return {ray.slope_u, ray.slope_v, ray.face};
+    }
+};
+
+/// Parallel rays where they cross the plane through the world's origin.
+struct ParallelPlaces {
+    const RayBatch& rays;
+    RayFrame frame = frame_of_parallel(rays);
+
+    HWY_INLINE CurvePlaces at(std::size_t i) const {
+        const LaneTag d;
+        const auto read = [&](const rebuild::Buffer<float>& values) {
+            return hn::Load(d, values.data() + i);
+        };
+        const auto origin = [&](int axis) { return read(rays.origin[static_cast<std::size_t>(axis)]); };
+        const Lanes k = origin(frame.axes.k), u = origin(frame.axes.u()), v = origin(frame.axes.v());
+        const auto traceable = [&](Lanes coordinate) {
+            return hn::Le(hn::Abs(coordinate), hn::Set(d, rebuild::largest_coordinate));
+        };
+        const Lanes t_min = read(rays.t_min), t_max = read(rays.t_max);
+        const Lanes depth_per_t = hn::Set(d, frame.depth_per_t);
+        const auto in_order =
+            hn::And(hn::Lt(t_min, t_max),
+                    hn::Lt(hn::Mul(hn::Max(t_min, hn::Zero(d)), depth_per_t), hn::Mul(t_max, depth_per_t)));
+        const auto alive = hn::And(in_order, hn::And(traceable(k), hn::And(traceable(u), traceable(v))));
+        const Lanes depth = hn::Mul(k, hn::Set(d, frame.axes.sign()));
+        return {hn::NegMulAdd(hn::Set(d, frame.slope_u), depth, u),
+                hn::NegMulAdd(hn::Set(d, frame.slope_v), depth, v),
+                hn::IfThenElse(alive, hn::Set(d, static_cast<float>(frame.axes.face())),
+                               hn::Set(d, static_cast<float>(face_count)))};
+    }
+};
+
+template <class Places>
+std::size_t make_keys(const Places& places, std::size_t begin, std::size_t end, const OcclusionBatch* only,
+                      const KeyMap& map, std::uint64_t* keys) {
     const LaneTag d;
     const hn::RebindToSigned<LaneTag> di;
     const Lanes last = hn::Set(d, RayKey::last_cell);
@@ -47,22 +99,16 @@ std::size_t frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t e
             const auto marks = hn::LoadU(du8, only->data() + i);
             if (hn::AllFalse(du8, hn::Eq(marks, hn::Set(du8, undecided)))) continue;
         }
-        const auto read = [&](const rebuild::Buffer<float>& values) {
-            return hn::Load(d, values.data() + i);
-        };
-        const FramedLanes ray = frame_lanes(read(rays.direction[0]), read(rays.direction[1]),
-                                            read(rays.direction[2]), read(rays.t_min), read(rays.t_max));
-        hn::StoreInterleaved4(ray.slope_u, ray.slope_v, ray.depth_min, ray.depth_max, d, &framed[i].slope_u);
-
-        const auto faces = hn::ConvertTo(di, ray.face);
+        const CurvePlaces at = places.at(i);
+        const auto faces = hn::ConvertTo(di, at.face);
         const Lanes scale = of_faces(map.scale, faces);
-        const auto cell = [&](Lanes slope, const std::array<float, face_count + 1>& low) {
-            const Lanes along = hn::Mul(hn::Sub(slope, of_faces(low, faces)), scale);
+        const auto cell = [&](Lanes place, const std::array<float, face_count + 1>& low) {
+            const Lanes along = hn::Mul(hn::Sub(place, of_faces(low, faces)), scale);
             // The order of operands lets a NaN of a ray that hits nothing become a number.
             return hn::ConvertTo(di, hn::Min(hn::Max(along, hn::Zero(d)), last));
         };
-        hn::Store(cell(ray.slope_u, map.low_u), di, x);
-        hn::Store(cell(ray.slope_v, map.low_v), di, y);
+        hn::Store(cell(at.u, map.low_u), di, x);
+        hn::Store(cell(at.v, map.low_v), di, y);
         hn::Store(faces, di, face);
         for (std::size_t lane = 0; lane < last_lane; ++lane) {
             if (!is_wanted(lane)) continue;
@@ -76,6 +122,14 @@ std::size_t frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t e
         }
     }
     return count;
+}
+
+std::size_t frame_and_key(const RayBatch& rays, std::size_t begin, std::size_t end,
+                          const OcclusionBatch* only, const KeyMap& map, FramedRay* framed,
+                          std::uint64_t* keys) {
+    return rays.common_direction
+               ? make_keys(ParallelPlaces{.rays = rays}, begin, end, only, map, keys)
+               : make_keys(PencilPlaces{.rays = rays, .framed = framed}, begin, end, only, map, keys);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -12,15 +12,15 @@ namespace gridreel::traversal {
 /// What work on rays must be cut at: a multiple of the lanes of every target.
 inline constexpr std::size_t rays_per_step = 16;
 
-/// From slopes to keys: `(slope - low[face]) * scale[face]` is a cell of the curve's square. Zero for the
-/// dead.
+/// From slopes, or places of parallel rays, to keys: `(slope - low[face]) * scale[face]` is a cell of the
+/// curve's square. Zero for the dead.
 struct KeyMap {
     std::array<float, face_count + 1> low_u{}, low_v{}, scale{};
 };
 
 /// Frames rays [begin, end) of a batch, the same bits as `ray_frame`, and makes their keys.
 /// @param begin   a multiple of `rays_per_step`; so is `end`, unless it is the batch's
-/// @param framed  of the whole batch
+/// @param framed  of the whole batch; parallel rays are not framed
 /// @param keys    of the rays wanted, one after the other
 /// @param only    of the whole batch: rays where it is `undecided` are wanted, no others; null: all are
 /// @return how many keys there are

@@ -41,8 +41,8 @@ public:
     virtual ~Tracer() = default;
 
     /// Throws the structure away and builds it anew, from world-space triangles to ready to trace, but for
-    /// what only rays without a common origin need: their first batch makes that, at its own cost.
-    /// `triangles` must stay alive and unchanged until the next rebuild.
+    /// what only rays without a common origin or direction need: their first batch makes that, at its own
+    /// cost. `triangles` must stay alive and unchanged until the next rebuild.
     virtual rebuild::BuildReport rebuild(const rebuild::TriangleView& triangles) = 0;
 
     /// Cells per triangle of the grids that are rebuilt from now on. Answers do not depend on it, and other
@@ -80,9 +80,9 @@ enum class EmbreeQuality {
 
 /// How Embree is given rays.
 enum class EmbreeRays {
-    automatic,  ///< packets where neighbours or a common origin are known, else single
+    automatic,  ///< packets where neighbours or something common are known, else single
     packets,    ///< 16 at a time, as they come
-    sorted,     ///< as packets; those with a common origin and no order are sorted by direction first
+    sorted,     ///< as packets; those with something common and no order are sorted by what differs first
     single,
 };
 

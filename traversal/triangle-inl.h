@@ -55,6 +55,11 @@ HWY_INLINE Vec3<V> cross(const Vec3<V>& a, const Vec3<V>& b) {
 }
 
 template <class V>
+HWY_INLINE Vec3<V> magnitudes(const Vec3<V>& a) {
+    return {hn::Abs(a.k), hn::Abs(a.u), hn::Abs(a.v)};
+}
+
+template <class V>
 HWY_INLINE V size(const Vec3<V>& a) {
     return hn::Add(hn::Add(hn::Abs(a.k), hn::Abs(a.u)), hn::Abs(a.v));
 }
@@ -69,6 +74,12 @@ template <class V>
 HWY_INLINE Slopes<V> difference(const Slopes<V>& a, const Slopes<V>& b) {
     return {hn::Sub(a.u, b.u), hn::Sub(a.v, b.v)};
 }
+
+/// The slopes a triangle is seen at, less the aim's: boxes, wide enough for rounding.
+template <class V>
+struct SlopeBox {
+    V low_u, high_u, low_v, high_v;
+};
 
 /// The normal times the direction (1, u, v).
 template <class V>

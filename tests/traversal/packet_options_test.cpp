@@ -46,7 +46,7 @@ std::vector<PacketOptions> all_switches(std::optional<int> side) {
     return all;
 }
 
-/// A batch with a common origin, and the answers of single rays.
+/// A batch with a common origin or direction, and the answers of single rays.
 struct Question {
     NamedRays batch;
     HitBatch hits;
@@ -59,7 +59,8 @@ std::vector<Question> questions(const Triangles& triangles, std::size_t rays_per
     single->rebuild(triangles.view());
     std::vector<Question> all;
     for (NamedRays& batch : nasty_batches(triangles, rays_per_batch)) {
-        if (!batch.rays.common_origin) continue;  // no packets are made of those
+        if (!batch.rays.common_origin && !batch.rays.common_direction)
+            continue;  // no packets are made of those
         Question& question = all.emplace_back();
         single->closest_hits(batch.rays, question.hits);
         single->any_hits(batch.rays, question.blocked);

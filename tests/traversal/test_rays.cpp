@@ -20,6 +20,13 @@ void set_ray(RayBatch& rays, std::size_t i, const glm::vec3& direction, float t_
     rays.t_max[i] = t_max;
 }
 
+void set_parallel_ray(RayBatch& rays, std::size_t i, const glm::vec3& origin, float t_min = 0.0f,
+                      float t_max = infinity) {
+    rays.set_origin(i, origin);
+    rays.t_min[i] = t_min;
+    rays.t_max[i] = t_max;
+}
+
 bool usable(const Triangles& triangles, const glm::uvec3& t) {
     for (int corner = 0; corner < 3; ++corner) {
         if (!rebuild::is_traceable(triangles.positions[t[corner]])) return false;
@@ -97,6 +104,24 @@ RayBatch through_features(const Triangles& triangles, const rebuild::Bounds3& bo
     return rays;
 }
 
+/// Calls `ray(i, u, v)` for the pixels of a square picture, u and v from -1 to 1, along the Morton curve:
+/// every 16 or 256 in a row are a square.
+template <class Ray>
+void for_each_pixel(int side, const Ray& ray) {
+    const auto count = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+    std::size_t i = 0;
+    for (std::uint32_t code = 0; i < count; ++code) {
+        int x = 0, y = 0;
+        for (unsigned bit = 0; bit < 15; ++bit) {
+            x |= static_cast<int>(code >> (2 * bit) & 1u) << bit;
+            y |= static_cast<int>(code >> (2 * bit + 1) & 1u) << bit;
+        }
+        if (x >= side || y >= side) continue;
+        ray(i++, 2.0f * (float(x) + 0.5f) / float(side) - 1.0f,
+            2.0f * (float(y) + 0.5f) / float(side) - 1.0f);
+    }
+}
+
 /// Bounded intervals, and rays that can hit nothing.
 RayBatch bounded(const rebuild::Bounds3& box, std::size_t count) {
     RayBatch rays = random_rays(box, 0.2f, count, 13);
@@ -125,6 +150,86 @@ RayBatch bounded_from_point(const glm::vec3& point, const rebuild::Bounds3& box,
     return rays;
 }
 
+/// From all over the box and `margin` times its size around it, with bounded intervals and rays that can hit
+/// nothing.
+RayBatch bounded_parallel(const rebuild::Bounds3& box, const glm::vec3& direction, float margin,
+                          std::size_t count) {
+    RayBatch rays;
+    rays.resize_parallel(count, direction, RayOrder::arbitrary);
+    Random random(25);
+    const float size = glm::length(box.extent()) / glm::length(direction);
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec3 origin = box.min + box.extent() * random.in_box(-margin, 1.0f + margin);
+        const float t_min = random.uniform(-0.1f, 0.3f) * size;
+        set_parallel_ray(rays, i, origin, t_min, t_min + random.uniform(-0.1f, 1.0f) * size);
+        if (i % 64 == 0) rays.set_origin(i, glm::vec3{std::numeric_limits<float>::quiet_NaN()});
+        if (i % 64 == 1) rays.set_origin(i, {0.0f, 1e20f, 0.0f});
+        if (i % 64 == 2) rays.t_max[i] = rays.t_min[i];
+    }
+    return rays;
+}
+
+/// From whole fractions of the box, and from far before them: in cell planes and through edges.
+RayBatch parallel_from_lattice(const rebuild::Bounds3& box, const glm::vec3& direction, std::size_t count) {
+    RayBatch rays;
+    rays.resize_parallel(count, direction, RayOrder::arbitrary);
+    Random random(26);
+    for (std::size_t i = 0; i < count; ++i) {
+        glm::vec3 part{0.0f};
+        for (int axis = 0; axis < 3; ++axis) part[axis] = float(random.next() % 17) / 16.0f;
+        const float before = 2.0f * float(random.next() % 2);
+        set_parallel_ray(rays, i, box.min + box.extent() * (part - before * direction));
+    }
+    return rays;
+}
+
+/// Along one of the triangles' edges, through corners and points of edges: from there, from before and
+/// behind.
+RayBatch parallel_through_features(const Triangles& triangles, std::size_t count) {
+    Random random(27);
+    glm::vec3 direction{0.0f};
+    while (!(glm::length(direction) > 0.0f)) {
+        const glm::uvec3& t = triangles.triangles[random.next() % triangles.triangles.size()];
+        if (usable(triangles, t)) direction = triangles.positions[t.y] - triangles.positions[t.x];
+    }
+    RayBatch rays;
+    rays.resize_parallel(count, direction, RayOrder::arbitrary);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float before = float(random.next() % 7) - 3.0f;
+        set_parallel_ray(rays, i, point_of(triangles, random) - before * direction);
+    }
+    return rays;
+}
+
+/// Every `Packet`'s way to go wrong with one direction.
+void add_parallel_batches(const Triangles& triangles, const rebuild::Bounds3& box, std::size_t count,
+                          std::vector<NamedRays>& batches) {
+    const glm::vec3 middle = box.min + 0.5f * box.extent();
+    const float length = glm::length(box.extent());
+    const glm::vec3 oblique{-0.3f, -0.5f, -1.1f}, steep{0.02f, -3.0f, 0.05f};
+    const int side = static_cast<int>(std::sqrt(double(count)));
+    batches.push_back(
+        {"parallel picture", orthographic(middle - length * oblique, oblique, 0.6f * length, side)});
+    batches.push_back({"parallel picture, from inside, close up",
+                       orthographic(middle, {1.0f, 0.7f, -0.2f}, 0.05f * length, side)});
+    batches.push_back(
+        {"parallel picture along an axis", orthographic(middle, {0.0f, 0.0f, -1.0f}, 0.5f * length, side)});
+    batches.push_back({"parallel picture from far away",
+                       orthographic(middle - 200.0f * length * steep, steep, 0.5f * length, side)});
+    batches.push_back({"from surfaces to the sun", from_surfaces(-oblique, triangles, count)});
+    batches.push_back(
+        {"from surfaces to a sun on an axis", from_surfaces({0.0f, 1.0f, 0.0f}, triangles, count)});
+    batches.push_back({"from surfaces to a low sun", from_surfaces({5.0f, 1e-3f, 0.0f}, triangles, count)});
+    batches.push_back(
+        {"from a lattice along a diagonal", parallel_from_lattice(box, {1.0f, -1.0f, 1.0f}, count)});
+    batches.push_back(
+        {"from a lattice along an axis", parallel_from_lattice(box, {-1.0f, 0.0f, 0.0f}, count)});
+    batches.push_back({"parallel, along edges", parallel_through_features(triangles, count)});
+    batches.push_back({"parallel, bounded", bounded_parallel(box, steep, 0.2f, count)});
+    batches.push_back({"parallel, bounded, from far", bounded_parallel(box, oblique, 20.0f, count)});
+    batches.push_back({"parallel, without a way", bounded_parallel(box, {0.0f, infinity, 1.0f}, 0.2f, 300)});
+}
+
 }  // namespace
 
 rebuild::Bounds3 finite_bounds(const Triangles& triangles) {
@@ -144,18 +249,35 @@ RayBatch pinhole(const glm::vec3& eye, const glm::vec3& target, float half_angle
     const glm::vec3 above = glm::cross(right, forward);
     RayBatch rays;
     rays.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), eye, RayOrder::coherent);
-    // Along the Morton curve: every 16 or 256 rays in a row are a square of pixels.
-    std::size_t i = 0;
-    for (std::uint32_t code = 0; i < rays.size(); ++code) {
-        int x = 0, y = 0;
-        for (unsigned bit = 0; bit < 15; ++bit) {
-            x |= static_cast<int>(code >> (2 * bit) & 1u) << bit;
-            y |= static_cast<int>(code >> (2 * bit + 1) & 1u) << bit;
-        }
-        if (x >= side || y >= side) continue;
-        const float u = 2.0f * (float(x) + 0.5f) / float(side) - 1.0f;
-        const float v = 2.0f * (float(y) + 0.5f) / float(side) - 1.0f;
-        set_ray(rays, i++, forward + half_angle_tan * (u * right + v * above));
+    for_each_pixel(side, [&](std::size_t i, float u, float v) {
+        set_ray(rays, i, forward + half_angle_tan * (u * right + v * above));
+    });
+    return rays;
+}
+
+RayBatch orthographic(const glm::vec3& middle, const glm::vec3& direction, float half, int side) {
+    const glm::vec3 forward = glm::normalize(direction);
+    const glm::vec3 up =
+        std::fabs(forward.y) < 0.9f ? glm::vec3{0.0f, 1.0f, 0.0f} : glm::vec3{1.0f, 0.0f, 0.0f};
+    const glm::vec3 right = glm::normalize(glm::cross(forward, up));
+    const glm::vec3 above = glm::cross(right, forward);
+    RayBatch rays;
+    rays.resize_parallel(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), direction,
+                         RayOrder::coherent);
+    for_each_pixel(side, [&](std::size_t i, float u, float v) {
+        set_parallel_ray(rays, i, middle + half * (u * right + v * above));
+    });
+    return rays;
+}
+
+RayBatch from_surfaces(const glm::vec3& direction, const Triangles& triangles, std::size_t count) {
+    RayBatch rays;
+    rays.resize_parallel(count, direction, RayOrder::arbitrary);
+    Random random(28);
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec3 point = point_of(triangles, random);
+        const float aside = float(random.next() % 2) * 1e-6f;
+        set_parallel_ray(rays, i, point + aside * glm::length(point) * random.on_sphere());
     }
     return rays;
 }
@@ -204,6 +326,7 @@ std::vector<NamedRays> nasty_batches(const Triangles& triangles, std::size_t cou
     batches.push_back({"along axes", axis_rays(box, count)});
     batches.push_back({"through corners and edges", through_features(triangles, box, count)});
     batches.push_back({"bounded, scattered", bounded(box, count)});
+    add_parallel_batches(triangles, box, count, batches);
     return batches;
 }
 

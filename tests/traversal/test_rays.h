@@ -29,6 +29,13 @@ traversal::RayBatch from_point(const glm::vec3& point, std::size_t count, std::u
 /// Shadow rays: from one point to random points of the triangles, ending just before them.
 traversal::RayBatch towards_surfaces(const glm::vec3& point, const Triangles& triangles, std::size_t count);
 
+/// A square picture of `side` * `side` rays along the Morton curve that all run the way of `direction`,
+/// through a square about `middle` from -half to half.
+traversal::RayBatch orthographic(const glm::vec3& middle, const glm::vec3& direction, float half, int side);
+
+/// A sun's shadow rays: from random points of the triangles, and from just beside them.
+traversal::RayBatch from_surfaces(const glm::vec3& direction, const Triangles& triangles, std::size_t count);
+
 /// Every batch that tracers must agree on, for these triangles; about `count` rays each.
 std::vector<NamedRays> nasty_batches(const Triangles& triangles, std::size_t count);
 

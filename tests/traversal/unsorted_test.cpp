@@ -31,8 +31,15 @@ RayBatch picture() {
     return rays;
 }
 
+/// A sun's shadow rays from as many points of a picture, above and between the triangles.
+RayBatch sunlit_picture() {
+    RayBatch rays = orthographic({0.1f, 0.3f, 0.2f}, {-0.2f, -0.5f, -1.0f}, 1.1f, 512);
+    for (std::size_t i = 0; i < rays.size(); i += 5) rays.t_max[i] = 0.01f;
+    return rays;
+}
+
 void swap_rays(RayBatch& rays, std::size_t a, std::size_t b) {
-    for (auto& axis : rays.direction) std::swap(axis[a], axis[b]);
+    for (auto& axis : rays.common_direction ? rays.origin : rays.direction) std::swap(axis[a], axis[b]);
     std::swap(rays.t_min[a], rays.t_min[b]);
     std::swap(rays.t_max[a], rays.t_max[b]);
 }
@@ -58,12 +65,13 @@ bool same(const OcclusionBatch& a, const OcclusionBatch& b) {
 }  // namespace
 
 TEST_CASE("rays are blocked alike whether they are asked as they come or sorted", "[traversal]") {
+    const bool parallel = GENERATE(false, true);
     for (const Triangles& triangles : {soup(20'000, 0.03f), sheet(80), teapot_in_stadium()}) {
-        RayBatch rays = picture();
+        RayBatch rays = parallel ? sunlit_picture() : picture();
         // All coherent; a quarter not, at a place that cuts packets; single strays, and rays that hit
         // nothing.
         const auto check = [&](const char* what) {
-            INFO(triangles.name << ", " << what);
+            INFO(triangles.name << ", " << what << (parallel ? ", parallel" : ""));
             OcclusionBatch expected, actual;
             blocked(TracerKind::grid_single, triangles, rays, RayOrder::arbitrary, expected);
             const TraceReport report =
@@ -85,7 +93,7 @@ TEST_CASE("rays are blocked alike whether they are asked as they come or sorted"
 TEST_CASE("coherent rays of which nothing is known are not sorted", "[traversal]") {
     // Few large triangles: every packet is cheap, and cells are looked into as if the order were known.
     const Triangles triangles = sheet(6);
-    RayBatch rays = picture();
+    RayBatch rays = GENERATE(false, true) ? sunlit_picture() : picture();
     OcclusionBatch result;
     const TraceReport known = blocked(TracerKind::grid, triangles, rays, RayOrder::coherent, result);
     const TraceReport unknown = blocked(TracerKind::grid, triangles, rays, RayOrder::arbitrary, result);
@@ -104,6 +112,16 @@ TEST_CASE("incoherent rays cost little more than if they were sorted at once", "
     for (std::size_t i = 0; i < order.size(); ++i) sorted.set_direction(i, rays.direction_of(order[i]));
     const TraceReport best = blocked(TracerKind::grid, triangles, sorted, RayOrder::coherent, result);
     CHECK(report.cells < best.cells * 5 / 4);
+}
+
+TEST_CASE("sorted parallel rays cost far less than in no order", "[traversal]") {
+    const Triangles triangles = soup(20'000, 0.03f);
+    RayBatch rays = sunlit_picture();
+    shuffle(rays, 0, rays.size());
+    OcclusionBatch result;
+    const TraceReport sorted = blocked(TracerKind::grid, triangles, rays, RayOrder::arbitrary, result);
+    const TraceReport as_they_come = blocked(TracerKind::grid, triangles, rays, RayOrder::coherent, result);
+    CHECK(10 * sorted.triangle_tests < as_they_come.triangle_tests);
 }
 
 TEST_CASE("what work is given up as too much does not depend on the number of threads", "[traversal]") {
