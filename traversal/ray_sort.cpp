@@ -102,13 +102,19 @@ void sort_bucket(std::uint64_t* keys, std::size_t count, unsigned digit_end, std
         return;
     }
     for (std::size_t i = 0; i < count; ++i) spare[next[digit(keys[i])]++] = keys[i];
-    for (std::size_t value = 0; value < digit_values; ++value) {
+    const auto sort_part = [&](std::size_t value) {
         const std::size_t first = begin[value], size = begin[value + 1] - first;
         if (size <= few) {
             std::transform(spare + first, spare + first + size, order + first, position);
         } else {
             sort_bucket(spare + first, size, shift, keys + first, order + first);
         }
+    };
+    // A small object far from the light has all its rays in one bucket.
+    if (count > rays_per_chunk) {
+        tbb::parallel_for(std::size_t{0}, digit_values, sort_part);
+    } else {
+        for (std::size_t value = 0; value < digit_values; ++value) sort_part(value);
     }
 }
 
@@ -117,7 +123,9 @@ void sort_bucket(std::uint64_t* keys, std::size_t count, unsigned digit_end, std
 const SortedRays& RaySort::sort(const RayBatch& rays, const OcclusionBatch* only) {
     if (rays.size() > RayKey::position_mask) throw std::length_error("2^29 rays or more in one batch");
     const auto threads = static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));
-    chunks_.resize(std::clamp<std::size_t>(rays.size() / rays_per_chunk, 1, threads));
+    // Rays that are wanted lie together: chunks of as many rays are not as much work.
+    const std::size_t most_chunks = std::max<std::size_t>(threads, 8);
+    chunks_.resize(std::clamp<std::size_t>(rays.size() / rays_per_chunk, 1, most_chunks));
     sorted_.framed.resize(rays.common_direction ? 0 : rays.size());
     keys_.resize(rays.size());
 
