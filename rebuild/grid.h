@@ -36,7 +36,8 @@ struct UniformGrid {
 /// triangles `references[cell_begin[c]] … references[cell_begin[c + 1] - 1]`, in ascending order.
 ///
 /// A crowded cell is a grid of the next level instead: its first reference is then `nested_mark | index of
-/// that grid`, its second how many references the cell takes up. Empty where nothing is nested so deep.
+/// that grid`, its second how many references the cell takes up. A level that nothing is nested in is
+/// empty.
 struct GridLevel {
     Buffer<UniformGrid> grids;
     Buffer<std::uint32_t> cell_begin;  ///< one per cell, grid after grid, and one more

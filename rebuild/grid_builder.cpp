@@ -38,7 +38,7 @@ double nested_references_per_triangle_limit(float lambda) {
 /// Nesting is for cells more crowded than the rest, like teapots in stadiums. Where all cells that are not
 /// empty hold many triangles, as those of a surface of millions do, more cells would help: that is lambda's
 /// business. A coarse grid is asked for where nested grids do better than a finer one, so it nests more
-/// readily.
+/// readily. Fitted on the suite: with less, sheets nest; with more, teapots stay crowded cells.
 double crowded_times_mean(float lambda) {
     return 16.0 * std::pow(std::min(1.0, double(lambda)), 1.5);
 }

@@ -24,7 +24,7 @@ struct GridJob {
     [[nodiscard]] bool over_limit() const { return references > reference_limit; }
 };
 
-/// More than this makes a cell crowded.
+/// A cell with more than both is crowded.
 struct Crowd {
     std::uint32_t references = 0;
     double times_mean = 0.0;  ///< as many as cells of its grid that are not empty have on average

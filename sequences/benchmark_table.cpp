@@ -78,7 +78,7 @@ std::string structure(const CompetitorFigures& competitor) {
                                 phase.tests_per_ray);
         }
         if (phase.extra_bytes_per_triangle > 0.0) {
-            text += fmt::format(" for {:.1f} bytes a triangle more", phase.extra_bytes_per_triangle);
+            text += fmt::format(", with {:.1f} more bytes a triangle", phase.extra_bytes_per_triangle);
         }
         if (!phase.way.empty()) text += fmt::format(", {} rays: {}", phase.name, phase.way);
     }

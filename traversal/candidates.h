@@ -25,8 +25,8 @@ public:
     /// Lets every triangle be a candidate again.
     void forget() { met_.fill(no_triangle); }
 
-    /// Adds a triangle unless the march met it lately. Forgetful: a triangle may be added again. Whether it is
-    /// added is as good as random, so it is never branched upon.
+    /// Adds a triangle unless the march met it lately. Forgetful: a triangle may be added again. Whether it
+    /// is added is as good as random, so it is never branched upon.
     void add(std::uint32_t triangle) {
         std::uint32_t& entry = met_[triangle % met_.size()];
         triangles_[count_] = triangle;
@@ -34,7 +34,6 @@ public:
         entry = triangle;
     }
 
-    [[nodiscard]] bool full() const { return count_ == capacity; }
     [[nodiscard]] std::size_t size() const { return count_; }
     [[nodiscard]] const std::uint32_t* data() const { return triangles_.data(); }
     void drop_all() { count_ = 0; }

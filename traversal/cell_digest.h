@@ -1,5 +1,5 @@
 #pragma once
-// What rays without a common origin ask about cells before they read the lists.
+// What incoherent rays ask about cells before they read the lists.
 
 #include "traversal/cell_distances.h"
 #include "traversal/reference_boxes.h"

@@ -8,9 +8,10 @@
 namespace gridreel::traversal {
 namespace {
 
+constexpr std::size_t cells_per_task = 1 << 14;  // fewer are not worth a thread
+
 /// 0 where cells of a level hold anything, else `farthest`.
 void find_occupied(const rebuild::GridLevel& level, std::uint8_t* steps) {
-    constexpr std::size_t cells_per_task = 65536;
     const std::size_t cells = level.cell_begin.size() - 1;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells, cells_per_task), [&](const auto& range) {
         const std::uint32_t* const begin = level.cell_begin.data();
@@ -77,8 +78,8 @@ void CellDistances::rebuild(const rebuild::Grid& grid) {
             if (one.cell_count() == 0) return;
             std::uint8_t* const steps = steps_.data() + first_cell_[depth] + one.first_cell;
             std::uint8_t* const around = around_.data() + first_cell_[depth] + one.first_cell;
-            const int layers_per_task =
-                static_cast<int>(1 + 16384 / (std::size_t(one.resolution.x) * std::size_t(one.resolution.y)));
+            const int layers_per_task = static_cast<int>(
+                1 + cells_per_task / (std::size_t(one.resolution.x) * std::size_t(one.resolution.y)));
             const auto for_each_layer = [&](const auto& work) {
                 tbb::parallel_for(
                     tbb::blocked_range<int>(0, one.resolution.z, layers_per_task),

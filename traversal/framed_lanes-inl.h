@@ -7,7 +7,9 @@
 #define GRIDREEL_TRAVERSAL_FRAMED_LANES_INL_H_
 #endif
 
+#include "rebuild/triangle_view.h"
 #include "traversal/lanes-inl.h"
+#include "traversal/ray_batch.h"
 #include "traversal/ray_frame.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -45,6 +47,36 @@ HWY_INLINE FramedLanes frame_lanes(Lanes x, Lanes y, Lanes z, Lanes t_min, Lanes
     rays.face =
         hn::IfThenElse(alive, hn::Add(upwards, downwards), hn::Set(d, static_cast<float>(face_count)));
     return rays;
+}
+
+/// Of rays with a common direction, what is left to each.
+struct ParallelLanes {
+    Lanes k, u, v;  ///< origins, in the frame's axes
+    Lanes depth_min, depth_max;
+    hn::Mask<LaneTag> alive;  ///< can hit something
+};
+
+/// @param frame  of all the rays (`frame_of_parallel`)
+/// @param read   `read(values)`: of each lane's ray
+template <class Read>
+HWY_INLINE ParallelLanes parallel_lanes(const RayBatch& rays, const RayFrame& frame, const Read& read) {
+    const LaneTag d;
+    const auto origin = [&](int axis) HWY_ATTR { return read(rays.origin[static_cast<std::size_t>(axis)]); };
+    const auto traceable = [&](Lanes coordinate) HWY_ATTR {
+        return hn::Le(hn::Abs(coordinate), hn::Set(d, rebuild::largest_coordinate));
+    };
+    const Lanes t_min = read(rays.t_min), t_max = read(rays.t_max);
+    const Lanes depth_per_t = hn::Set(d, frame.depth_per_t);
+    ParallelLanes lanes;
+    lanes.k = origin(frame.axes.k);
+    lanes.u = origin(frame.axes.u());
+    lanes.v = origin(frame.axes.v());
+    lanes.depth_min = hn::Mul(hn::Max(t_min, hn::Zero(d)), depth_per_t);
+    lanes.depth_max = hn::Mul(t_max, depth_per_t);
+    const auto in_order = hn::And(hn::Lt(t_min, t_max), hn::Lt(lanes.depth_min, lanes.depth_max));
+    lanes.alive =
+        hn::And(in_order, hn::And(traceable(lanes.k), hn::And(traceable(lanes.u), traceable(lanes.v))));
+    return lanes;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -7,6 +7,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/partitioner.h>
 
 #include <algorithm>
 #include <chrono>
@@ -17,18 +18,18 @@ namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
 
-constexpr std::size_t rays_per_task = 1024;  // without a common origin
+constexpr std::size_t rays_per_task = 1024;  // incoherent
 constexpr std::size_t packets_per_task = 4;
 constexpr std::size_t references_per_ray = 2;  // of more, their boxes cost more than they save
 
 /// Runs `trace(begin, end)` over pieces of [0, count) in parallel. The reports are integers, so their sum
-/// does not depend on the order.
+/// does not depend on the order, nor does it on the number of threads: pieces are the same for any.
 template <class Trace>
 TraceReport trace_in_parallel(std::size_t count, std::size_t grain, const Trace& trace) {
     return tbb::parallel_reduce(
         Range(0, count, grain), TraceReport{},
         [&](const Range& range, TraceReport report) { return report += trace(range.begin(), range.end()); },
-        [](TraceReport a, const TraceReport& b) { return a += b; });
+        [](TraceReport a, const TraceReport& b) { return a += b; }, tbb::simple_partitioner());
 }
 
 }  // namespace
@@ -123,7 +124,7 @@ GridScene GridTracer::begin(const RayBatch& rays) {
             .macrocells = packets_.macrocells ? &macrocells_ : nullptr};
 }
 
-/// Only rays without a common origin ask for it, so whoever has none does not pay.
+/// Only what is not traced in packets asks for it, so whoever has no such rays does not pay.
 CellDigest GridTracer::digest(std::size_t rays) {
     if (!distances_known_) distances_.rebuild(builder_.grid());
     distances_known_ = true;

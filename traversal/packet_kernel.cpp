@@ -19,13 +19,15 @@ HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
 namespace HWY_NAMESPACE {
 
-/// Fills the packet with rays of one face.
+/// Fills the packet with sorted rays, which all run the same way and can all hit something.
 template <Bundle bundle, Wanted wanted>
 HWY_INLINE void load_cut(const GridScene& scene, const PacketSource& source, const PacketSource::Cut& cut,
                          Packet& packet) {
     if constexpr (bundle == Bundle::parallel) {
-        load_parallel_chosen(source, scene.grid.top().bounds, source.sorted->order.data() + cut.begin,
-                             cut.end - cut.begin, packet);
+        [[maybe_unused]] const bool all_alive =
+            load_parallel_chosen(source, scene.grid.top().bounds, source.sorted->order.data() + cut.begin,
+                                 cut.end - cut.begin, packet);
+        assert(all_alive);
     } else {
         load_sorted<wanted>(source, cut, packet);
     }
@@ -44,8 +46,9 @@ HWY_INLINE bool load_as_they_come(const GridScene& scene, const PacketSource& so
     }
 }
 
-/// Rays [begin, end) of a batch in its own order, at most a packet of them, that do not all run the same way:
-/// calls `use` with a packet for every way, and `dead` for each ray that hits nothing.
+/// Rays [begin, end) of a batch in its own order, at most a packet of them, that do not all run the same way,
+/// or some of which hit nothing: calls `use` with a packet for every way, and `dead` for each ray that hits
+/// nothing.
 template <Bundle bundle, class Use, class Dead>
 void for_each_face(const GridScene& scene, const PacketSource& source, std::size_t begin, std::size_t end,
                    Packet& packet, const Use& use, const Dead& dead) {
@@ -63,7 +66,9 @@ void for_each_face(const GridScene& scene, const PacketSource& source, std::size
     for (unsigned face = 0; face < face_count; ++face) {
         if (counts[face] == 0) continue;
         if constexpr (bundle == Bundle::parallel) {
-            load_parallel_chosen(source, scene.grid.top().bounds, faces[face].data(), counts[face], packet);
+            [[maybe_unused]] const bool all_alive = load_parallel_chosen(
+                source, scene.grid.top().bounds, faces[face].data(), counts[face], packet);
+            assert(all_alive);
         } else {
             load_chosen(source, axes_of_face(face), std::span(faces[face].data(), counts[face]), packet);
         }

@@ -9,6 +9,7 @@
 
 #include "rebuild/bounds.h"
 #include "rebuild/triangle_view.h"
+#include "traversal/framed_lanes-inl.h"
 #include "traversal/lanes-inl.h"
 #include "traversal/packet.h"
 #include "traversal/packet_kernel.h"
@@ -69,13 +70,12 @@ inline void relate_to_origin(Packet& packet, const rebuild::Bounds3& starts, con
 
 /// Fills the packet with rays of a batch with a common direction, unless one of them can hit nothing.
 /// @param count     1 to `rays_per_packet`
-/// @param places    `places(lane)`: where in the batch the rays of as many lanes stand, `lane` in front;
-/// lanes
-///                  behind the last ray repeat it
+/// @param places    `places(lane)`: where in the batch the rays of as many lanes stand, from `lane` on;
+///                  lanes behind the last ray repeat it
 /// @return whether all can hit something
 template <class PlacesOf>
-HWY_INLINE bool load_parallel(const PacketSource& source, const rebuild::Bounds3& grid, std::size_t count,
-                              const PlacesOf& places, Packet& packet) {
+[[nodiscard]] HWY_INLINE bool load_parallel(const PacketSource& source, const rebuild::Bounds3& grid,
+                                            std::size_t count, const PlacesOf& places, Packet& packet) {
     assert(count >= 1 && count <= rays_per_packet);
     const LaneTag d;
     const hn::RebindToUnsigned<LaneTag> du;
@@ -98,20 +98,16 @@ HWY_INLINE bool load_parallel(const PacketSource& source, const rebuild::Bounds3
         hn::Store(place, du, packet.ray + lane);
         const auto read = [&](const rebuild::Buffer<float>& values)
                               HWY_ATTR { return hn::GatherIndex(d, values.data(), hn::BitCast(di, place)); };
-        const Lanes t_min = read(rays.t_min), t_max = read(rays.t_max);
-        const Lanes depth_min = hn::Mul(hn::Max(t_min, hn::Zero(d)), depth_per_t);
-        const Lanes depth_max = hn::Mul(t_max, depth_per_t);
-        auto alive = hn::And(hn::Lt(t_min, t_max), hn::Lt(depth_min, depth_max));
+        const ParallelLanes lanes = parallel_lanes(rays, frame, read);
+        if (!hn::AllTrue(d, lanes.alive)) return false;
+        const Lanes starts_at[3] = {lanes.k, lanes.u, lanes.v};
         for (std::size_t i = 0; i < 3; ++i) {
-            const Lanes origin = read(rays.origin[std::size_t(axes[i])]);
-            alive = hn::And(alive, hn::Le(hn::Abs(origin), largest));
-            low[i] = hn::Min(low[i], origin);
-            high[i] = hn::Max(high[i], origin);
-            hn::Store(origin, d, origins[i] + lane);
+            low[i] = hn::Min(low[i], starts_at[i]);
+            high[i] = hn::Max(high[i], starts_at[i]);
+            hn::Store(starts_at[i], d, origins[i] + lane);
         }
-        if (!hn::AllTrue(d, alive)) return false;
-        hn::Store(depth_min, d, packet.depth_min + lane);
-        hn::Store(depth_max, d, packet.depth_max + lane);
+        hn::Store(lanes.depth_min, d, packet.depth_min + lane);
+        hn::Store(lanes.depth_max, d, packet.depth_max + lane);
         hn::Store(depth_per_t, d, packet.depth_per_t + lane);
     }
     rebuild::Bounds3 starts;
@@ -125,8 +121,9 @@ HWY_INLINE bool load_parallel(const PacketSource& source, const rebuild::Bounds3
 }
 
 /// Rays at `order[0]` to `order[count - 1]` of the batch.
-HWY_INLINE bool load_parallel_chosen(const PacketSource& source, const rebuild::Bounds3& grid,
-                                     const std::uint32_t* order, std::size_t count, Packet& packet) {
+[[nodiscard]] HWY_INLINE bool load_parallel_chosen(const PacketSource& source, const rebuild::Bounds3& grid,
+                                                   const std::uint32_t* order, std::size_t count,
+                                                   Packet& packet) {
     const hn::RebindToUnsigned<LaneTag> du;
     const auto places = [&](std::size_t lane) HWY_ATTR {
         if (lane + hn::Lanes(du) <= count) return hn::LoadU(du, order + lane);
@@ -138,8 +135,8 @@ HWY_INLINE bool load_parallel_chosen(const PacketSource& source, const rebuild::
 }
 
 /// Rays [begin, begin + count) of the batch.
-HWY_INLINE bool load_parallel_run(const PacketSource& source, const rebuild::Bounds3& grid, std::size_t begin,
-                                  std::size_t count, Packet& packet) {
+[[nodiscard]] HWY_INLINE bool load_parallel_run(const PacketSource& source, const rebuild::Bounds3& grid,
+                                                std::size_t begin, std::size_t count, Packet& packet) {
     const hn::RebindToUnsigned<LaneTag> du;
     const auto set = [&](std::size_t value)
                          HWY_ATTR { return hn::Set(du, static_cast<std::uint32_t>(value)); };

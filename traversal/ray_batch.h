@@ -19,9 +19,10 @@ enum class RayOrder {
     coherent,  ///< consecutive rays are neighbours (a Morton walk over the picture): cut packets as they come
 };
 
-/// Rays of one wave: points are `origin + t * direction`, t in (t_min, t_max). Directions need not be
-/// unit length; t is in units of the direction's length. A ray with a zero or non-finite direction, an origin
-/// that is not traceable (rebuild/triangle_view.h), or t_min >= t_max hits nothing.
+/// Rays of one wave; incoherent if they have neither origin nor direction in common. Points are `origin + t *
+/// direction`, t in (t_min, t_max). Directions need not be unit length; t is in units of the direction's
+/// length. A ray with a zero or non-finite direction, an origin that is not traceable
+/// (rebuild/triangle_view.h), or t_min >= t_max hits nothing.
 struct RayBatch {
     std::optional<glm::vec3> common_origin;     ///< set: every ray starts here and `origin` is empty
     std::optional<glm::vec3> common_direction;  ///< set: rays are parallel and `direction` is empty

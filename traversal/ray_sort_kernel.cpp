@@ -62,21 +62,11 @@ struct ParallelPlaces {
         const auto read = [&](const rebuild::Buffer<float>& values) {
             return hn::Load(d, values.data() + i);
         };
-        const auto origin = [&](int axis) { return read(rays.origin[static_cast<std::size_t>(axis)]); };
-        const Lanes k = origin(frame.axes.k), u = origin(frame.axes.u()), v = origin(frame.axes.v());
-        const auto traceable = [&](Lanes coordinate) {
-            return hn::Le(hn::Abs(coordinate), hn::Set(d, rebuild::largest_coordinate));
-        };
-        const Lanes t_min = read(rays.t_min), t_max = read(rays.t_max);
-        const Lanes depth_per_t = hn::Set(d, frame.depth_per_t);
-        const auto in_order =
-            hn::And(hn::Lt(t_min, t_max),
-                    hn::Lt(hn::Mul(hn::Max(t_min, hn::Zero(d)), depth_per_t), hn::Mul(t_max, depth_per_t)));
-        const auto alive = hn::And(in_order, hn::And(traceable(k), hn::And(traceable(u), traceable(v))));
-        const Lanes depth = hn::Mul(k, hn::Set(d, frame.axes.sign()));
-        return {hn::NegMulAdd(hn::Set(d, frame.slope_u), depth, u),
-                hn::NegMulAdd(hn::Set(d, frame.slope_v), depth, v),
-                hn::IfThenElse(alive, hn::Set(d, static_cast<float>(frame.axes.face())),
+        const ParallelLanes lanes = parallel_lanes(rays, frame, read);
+        const Lanes depth = hn::Mul(lanes.k, hn::Set(d, frame.axes.sign()));
+        return {hn::NegMulAdd(hn::Set(d, frame.slope_u), depth, lanes.u),
+                hn::NegMulAdd(hn::Set(d, frame.slope_v), depth, lanes.v),
+                hn::IfThenElse(lanes.alive, hn::Set(d, static_cast<float>(frame.axes.face())),
                                hn::Set(d, static_cast<float>(face_count)))};
     }
 };

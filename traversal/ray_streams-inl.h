@@ -42,7 +42,7 @@ struct alignas(64) StreamPlaces {
     PerStream<double> first;       ///< of the grid's cells in `CellDistances`
     PerStream<double> depth;       ///< where the stream entered the cell
     PerStream<double> end;         ///< where it leaves the grid, or needs no more cells
-    PerStream<double> ahead;       ///< steps to take before looking into a cell; 0: look
+    PerStream<double> ahead;       ///< steps to the next cell that may hold anything, at least 1
 };
 
 /// Walks streams as one, in SIMD lanes.

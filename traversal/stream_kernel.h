@@ -1,5 +1,5 @@
 #pragma once
-// Rays without a common origin through the grid, a few at a time, each on its own way.
+// Incoherent rays through the grid, a few at a time, each on its own way.
 
 #include "traversal/cell_digest.h"
 #include "traversal/grid_scene.h"

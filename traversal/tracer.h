@@ -19,9 +19,9 @@ namespace gridreel::traversal {
 /// What a batch cost, in operations and memory. The same for any number of threads.
 struct TraceReport {
     std::uint64_t rays = 0;
-    std::uint64_t cells = 0;           ///< cells looked into, by packets or single rays
+    std::uint64_t cells = 0;           ///< cells looked into, by packets or by rays on their own
     std::uint64_t triangle_tests = 0;  ///< ray-triangle intersections computed
-    /// Memory of what was made of the structure for rays without a common origin, and is not in
+    /// Memory of what was made of the structure for incoherent rays, and is not in
     /// `rebuild::BuildReport::bytes`; of several batches, the most.
     std::uint64_t extra_bytes = 0;
 
@@ -41,7 +41,7 @@ public:
     virtual ~Tracer() = default;
 
     /// Throws the structure away and builds it anew, from world-space triangles to ready to trace, but for
-    /// what only rays without a common origin or direction need: their first batch makes that, at its own
+    /// what only incoherent rays need: their first batch makes that, at its own
     /// cost. `triangles` must stay alive and unchanged until the next rebuild.
     virtual rebuild::BuildReport rebuild(const rebuild::TriangleView& triangles) = 0;
 
@@ -65,7 +65,7 @@ public:
 };
 
 enum class TracerKind {
-    grid,         ///< coherent packets through the grid (Wald et al. 2006)
+    grid,         ///< coherent packets (Wald et al. 2006); incoherent rays 32 at a time
     grid_single,  ///< one ray at a time through the same grid (Amanatides & Woo 1987)
     naive,        ///< every triangle for every ray: the oracle
     embree,       ///< Intel's Embree: the rival

@@ -138,7 +138,7 @@ TEST_CASE("operations are counted per ray, over all runs", "[sequences][benchmar
     const std::string table = benchmark_table(figures);
     CHECK_THAT(
         table,
-        Contains("of the frame, primary: 0.70 cells and 6.00 tests a ray for 5.0 bytes a triangle more\n"));
+        Contains("of the frame, primary: 0.70 cells and 6.00 tests a ray, with 5.0 more bytes a triangle\n"));
     CHECK_THAT(table, Contains("shadow: 0.00 cells and 2.00 tests a ray, shadow rays: single"));
     const std::vector<SceneFigures> scenes{figures};
     const auto json = nlohmann::json::parse(benchmark_json(scenes, "AVX"));

@@ -1,4 +1,4 @@
-// The parts of the walk of single rays against their plain forms.
+// The parts of the walks of rays on their own against their plain forms.
 
 #include "rebuild/grid_builder.h"
 #include "reference_intersection.h"

@@ -28,6 +28,7 @@ using traversal::make_tracer;
 using traversal::OcclusionBatch;
 using traversal::RayBatch;
 using traversal::Tracer;
+using traversal::TraceReport;
 using traversal::TracerKind;
 
 std::vector<Triangles> nasty_triangles() {
@@ -245,22 +246,30 @@ TEST_CASE("targets with fused multiply-add agree bit for bit, others within roun
     }
 }
 
-TEST_CASE("hits do not depend on the number of threads", "[traversal]") {
+TEST_CASE("hits and reports do not depend on the number of threads", "[traversal]") {
     const Triangles triangles = soup(3000, 0.1f);
     for (const NamedRays& batch : nasty_batches(triangles, 4000)) {
         INFO(batch.name);
         HitBatch one, many;
         for (const TracerKind kind : {TracerKind::grid, TracerKind::grid_single}) {
             const auto trace = [&](int threads, HitBatch& hits) {
-                tbb::task_arena(threads).execute([&] {
+                return tbb::task_arena(threads).execute([&] {
                     const auto tracer = make_tracer({.kind = kind, .resolution = {}});
                     tracer->rebuild(triangles.view());
-                    return tracer->closest_hits(batch.rays, hits);
+                    TraceReport report = tracer->closest_hits(batch.rays, hits);
+                    OcclusionBatch occluded;
+                    report += tracer->any_hits(batch.rays, occluded);
+                    return report;
                 });
             };
-            trace(1, one);
-            trace(8, many);
+            const TraceReport by_one = trace(1, one), by_many = trace(8, many);
             CHECK(first_difference(one, many) == "");
+            CHECK(by_one.rays == by_many.rays);
+            CHECK(by_one.cells == by_many.cells);
+            CHECK(by_one.triangle_tests == by_many.triangle_tests);
+            CHECK(by_one.extra_bytes == by_many.extra_bytes);
+            const bool in_packets = batch.rays.common_origin || batch.rays.common_direction;
+            if (!in_packets || kind == TracerKind::grid_single) CHECK(by_one.extra_bytes > 0);
         }
     }
 }
