@@ -133,6 +133,8 @@ bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
     if (total > std::numeric_limits<std::uint32_t>::max()) return false;
 
     // cell_begin[c], and in each histogram the first slot of its chunk in cell c.
+    // Whoever reads whole registers also does at lists that are empty, be they all.
+    if (total == 0) level.references.resize(1);
     level.references.resize(total);
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
         Piece& piece = pieces_[k];

@@ -10,13 +10,14 @@ namespace {
 
 constexpr std::size_t cells_per_task = 1 << 14;  // fewer are not worth a thread
 
-/// 0 where cells of a level hold anything, else `farthest`.
-void find_occupied(const rebuild::GridLevel& level, std::uint8_t* steps) {
+/// 0 where cells of a level hold anything, else `most`.
+void find_occupied(const rebuild::GridLevel& level, int most, std::uint8_t* steps) {
+    const auto empty = static_cast<std::uint8_t>(most);
     const std::size_t cells = level.cell_begin.size() - 1;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells, cells_per_task), [&](const auto& range) {
         const std::uint32_t* const begin = level.cell_begin.data();
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            steps[i] = begin[i] == begin[i + 1] ? std::uint8_t{CellDistances::farthest} : std::uint8_t{0};
+            steps[i] = begin[i] == begin[i + 1] ? empty : std::uint8_t{0};
         }
     });
 }
@@ -60,7 +61,7 @@ void one_step_more(const rebuild::UniformGrid& grid, int z, const std::uint8_t* 
 
 }  // namespace
 
-void CellDistances::rebuild(const rebuild::Grid& grid) {
+void CellDistances::rebuild(const rebuild::Grid& grid, int most) {
     std::size_t cells = 0;
     for (std::size_t depth = 0; depth < grid.levels.size(); ++depth) {
         first_cell_[depth] = cells;
@@ -72,7 +73,7 @@ void CellDistances::rebuild(const rebuild::Grid& grid) {
     for (std::size_t depth = 0; depth < grid.levels.size(); ++depth) {
         const rebuild::GridLevel& level = grid.levels[depth];
         if (level.grids.empty()) continue;
-        find_occupied(level, steps_.data() + first_cell_[depth]);
+        find_occupied(level, most, steps_.data() + first_cell_[depth]);
         tbb::parallel_for(std::size_t{0}, level.grids.size(), [&](std::size_t i) {
             const rebuild::UniformGrid& one = level.grids[i];
             if (one.cell_count() == 0) return;
@@ -90,7 +91,7 @@ void CellDistances::rebuild(const rebuild::Grid& grid) {
             };
             // A distance is right once as many steps have been looked around.
             const int widest = std::max({one.resolution.x, one.resolution.y, one.resolution.z});
-            for (int step = 1; step < std::min(farthest, widest); ++step) {
+            for (int step = 1; step < std::min(most, widest); ++step) {
                 for_each_layer([&](int z) { least_around(one, z, steps, around); });
                 for_each_layer([&](int z) { one_step_more(one, z, around, steps); });
             }

@@ -19,7 +19,9 @@ public:
     static constexpr int farthest = 8;
 
     /// Parallel.
-    void rebuild(const rebuild::Grid& grid);
+    /// @param most  1 to `farthest`: empty cells farther away count as `most` steps away; 1 is made in one
+    /// pass
+    void rebuild(const rebuild::Grid& grid, int most = farthest);
 
     /// The first level's cells, then the next level's, each in its order. 7 bytes behind the last may be
     /// read.

@@ -18,18 +18,21 @@ namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
 
-constexpr std::size_t rays_per_task = 1024;  // incoherent
+constexpr std::size_t rays_per_task = 4096;  // incoherent: at a task's end, few are left to go side by side
+/// Rays in a task share a mailbox: so that reports are the same for any number of threads, tasks are, too.
+const tbb::simple_partitioner always_the_same;
 constexpr std::size_t packets_per_task = 4;
-constexpr std::size_t references_per_ray = 2;  // of more, their boxes cost more than they save
+constexpr std::size_t references_per_ray = 2;  // of more, what is known of them costs more than it saves
 
 /// Runs `trace(begin, end)` over pieces of [0, count) in parallel. The reports are integers, so their sum
-/// does not depend on the order, nor does it on the number of threads: pieces are the same for any.
-template <class Trace>
-TraceReport trace_in_parallel(std::size_t count, std::size_t grain, const Trace& trace) {
+/// does not depend on the order.
+template <class Trace, class Partitioner = tbb::auto_partitioner>
+TraceReport trace_in_parallel(std::size_t count, std::size_t grain, const Trace& trace,
+                              const Partitioner& partitioner = {}) {
     return tbb::parallel_reduce(
         Range(0, count, grain), TraceReport{},
         [&](const Range& range, TraceReport report) { return report += trace(range.begin(), range.end()); },
-        [](TraceReport a, const TraceReport& b) { return a += b; }, tbb::simple_partitioner());
+        [](TraceReport a, const TraceReport& b) { return a += b; }, partitioner);
 }
 
 }  // namespace
@@ -44,7 +47,8 @@ GridTracer::GridTracer(const rebuild::ResolutionPolicy& resolution, Traversal tr
 
 rebuild::BuildReport GridTracer::rebuild(const rebuild::TriangleView& triangles) {
     triangles_ = triangles;
-    distances_known_ = boxes_known_ = false;
+    distances_most_ = 0;
+    boxes_known_ = false;
     rebuild::BuildReport report = builder_.rebuild(triangles);
     if (packets_.macrocells) {
         const auto begun = std::chrono::steady_clock::now();
@@ -58,14 +62,17 @@ rebuild::BuildReport GridTracer::rebuild(const rebuild::TriangleView& triangles)
 
 TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
     hits.resize(rays.size());
+    if (rays.size() == 0) return {};
     const GridScene scene = begin(rays);
     if (!in_packets(rays)) {
         const CellDigest cells = digest(rays.size());
         const auto trace = traversal_ == Traversal::one_by_one ? closest_one_by_one : closest_in_streams;
-        TraceReport report =
-            trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t first, std::size_t last) {
+        TraceReport report = trace_in_parallel(
+            rays.size(), rays_per_task,
+            [&](std::size_t first, std::size_t last) {
                 return trace(scene, cells, rays, resumed_, first, last, hits);
-            });
+            },
+            always_the_same);
         report.extra_bytes = digest_bytes();
         return report;
     }
@@ -79,14 +86,17 @@ TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
 
 TraceReport GridTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded) {
     occluded.resize(rays.size());
+    if (rays.size() == 0) return {};
     const GridScene scene = begin(rays);
     if (!in_packets(rays)) {
         const CellDigest cells = digest(rays.size());
         const auto trace = traversal_ == Traversal::one_by_one ? any_one_by_one : any_in_streams;
-        TraceReport report =
-            trace_in_parallel(rays.size(), rays_per_task, [&](std::size_t first, std::size_t last) {
+        TraceReport report = trace_in_parallel(
+            rays.size(), rays_per_task,
+            [&](std::size_t first, std::size_t last) {
                 return trace(scene, cells, rays, resumed_, first, last, occluded);
-            });
+            },
+            always_the_same);
         report.extra_bytes = digest_bytes();
         return report;
     }
@@ -126,15 +136,15 @@ GridScene GridTracer::begin(const RayBatch& rays) {
 
 /// Only what is not traced in packets asks for it, so whoever has no such rays does not pay.
 CellDigest GridTracer::digest(std::size_t rays) {
-    if (!distances_known_) distances_.rebuild(builder_.grid());
-    distances_known_ = true;
-    if (!boxes_known_) {
-        std::size_t references = 0;
-        for (const rebuild::GridLevel& level : builder_.grid().levels) references += level.references.size();
-        if (rays < references / references_per_ray) return {.distances = distances_};
-        boxes_.rebuild(builder_.grid(), triangles_);
-        boxes_known_ = true;
-    }
+    std::size_t references = 0;
+    for (const rebuild::GridLevel& level : builder_.grid().levels) references += level.references.size();
+    const bool few = rays < references / references_per_ray;
+    const int most = few ? 1 : CellDistances::farthest;
+    if (distances_most_ < most) distances_.rebuild(builder_.grid(), most);
+    distances_most_ = std::max(distances_most_, most);
+    if (few && !boxes_known_) return {.distances = distances_};
+    if (!boxes_known_) boxes_.rebuild(builder_.grid(), triangles_);
+    boxes_known_ = true;
     return {.distances = distances_, .boxes = &boxes_};
 }
 

@@ -40,8 +40,8 @@ private:
     rebuild::Macrocells macrocells_;
     CellDistances distances_;
     ReferenceBoxes boxes_;
-    bool distances_known_ = false;  ///< of the grid as it is
-    bool boxes_known_ = false;      ///< too
+    int distances_most_ = 0;    ///< of the grid as it is
+    bool boxes_known_ = false;  ///< too
     rebuild::TriangleView triangles_;
     ResumedRays resumed_;
     RaySort ray_sort_;

@@ -27,7 +27,7 @@ HWY_INLINE void load_cut(const GridScene& scene, const PacketSource& source, con
         [[maybe_unused]] const bool all_alive =
             load_parallel_chosen(source, scene.grid.top().bounds, source.sorted->order.data() + cut.begin,
                                  cut.end - cut.begin, packet);
-        assert(all_alive);
+        assert(all_alive);  // `ParallelPlaces` sorted the dead out
     } else {
         load_sorted<wanted>(source, cut, packet);
     }
@@ -66,9 +66,13 @@ void for_each_face(const GridScene& scene, const PacketSource& source, std::size
     for (unsigned face = 0; face < face_count; ++face) {
         if (counts[face] == 0) continue;
         if constexpr (bundle == Bundle::parallel) {
-            [[maybe_unused]] const bool all_alive = load_parallel_chosen(
-                source, scene.grid.top().bounds, faces[face].data(), counts[face], packet);
-            assert(all_alive);
+            // A resumed ray may be alive by the distance it goes on behind, and dead by rounding of its
+            // t_min.
+            if (!load_parallel_chosen(source, scene.grid.top().bounds, faces[face].data(), counts[face],
+                                      packet)) {
+                for (std::size_t i = 0; i < counts[face]; ++i) dead(faces[face][i]);
+                continue;
+            }
         } else {
             load_chosen(source, axes_of_face(face), std::span(faces[face].data(), counts[face]), packet);
         }

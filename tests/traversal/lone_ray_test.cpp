@@ -64,14 +64,15 @@ int steps_to_references(const rebuild::GridLevel& level, const rebuild::UniformG
 }  // namespace
 
 TEST_CASE("a cell's distance is the number of steps to the nearest cell with references", "[traversal]") {
+    static constexpr int farthest = traversal::CellDistances::farthest;
+    const int most = GENERATE(1, 3, farthest);
     rebuild::GridBuilder builder({.lambda = 20.0f});
     for (const Triangles& triangles : {crowds_in_crowds(), sphere(24)}) {
         builder.rebuild(triangles.view());
         traversal::CellDistances distances;
-        distances.rebuild(builder.grid());
-        constexpr int most = traversal::CellDistances::farthest;
+        distances.rebuild(builder.grid(), most);
         std::size_t wrong = 0;
-        std::array<std::size_t, 1 + most> at_distance{};
+        std::array<std::size_t, 1 + farthest> at_distance{};
         for_each_cell(builder.grid(),
                       [&](const rebuild::GridLevel& level, std::size_t depth,
                           const rebuild::UniformGrid& grid, std::size_t cell, const glm::ivec3& at) {
@@ -82,7 +83,7 @@ TEST_CASE("a cell's distance is the number of steps to the nearest cell with ref
         INFO(triangles.name);
         CHECK(wrong == 0);
         CHECK(at_distance[0] > 100);
-        CHECK(at_distance[most] > (triangles.name == "sphere" ? 100 : 0));
+        CHECK(at_distance[std::size_t(most)] > (triangles.name == "sphere" ? 100 : 0));
     }
 }
 
