@@ -79,8 +79,8 @@ void CellDistances::rebuild(const rebuild::Grid& grid, int most) {
             if (one.cell_count() == 0) return;
             std::uint8_t* const steps = steps_.data() + first_cell_[depth] + one.first_cell;
             std::uint8_t* const around = around_.data() + first_cell_[depth] + one.first_cell;
-            const int layers_per_task = static_cast<int>(
-                1 + cells_per_task / (std::size_t(one.resolution.x) * std::size_t(one.resolution.y)));
+            const std::size_t layers_per_task =
+                1 + cells_per_task / (std::size_t(one.resolution.x) * std::size_t(one.resolution.y));
             const auto for_each_layer = [&](const auto& work) {
                 tbb::parallel_for(
                     tbb::blocked_range<int>(0, one.resolution.z, layers_per_task),

@@ -310,13 +310,13 @@ TraceReport trace(const GridScene& scene, const CellDigest& cells, const RayBatc
             for (; i < end; ++i) {
                 const RayFrame ray = resumed.frame(rays, i);
                 const glm::vec3 origin = rays.origin_of(i);
-                if (ray.hits_nothing() || scene.grid.empty() || !rebuild::is_traceable(origin)) {
-                    store(i, ray, DepthHit{});
-                } else if (is_far(scene.grid, origin)) {
+                const bool can_hit =
+                    !ray.hits_nothing() && !scene.grid.empty() && rebuild::is_traceable(origin);
+                if (can_hit && is_far(scene.grid, origin)) {
                     store(i, ray,
                           march_alone<wanted>(scene, source, static_cast<std::uint32_t>(i), ray.axes, packet,
                                               candidates, report));
-                } else if (streams.begin(stream, i, origin, ray)) {
+                } else if (can_hit && streams.begin(stream, i, origin, ray)) {
                     ++i;
                     return true;
                 } else {
