@@ -116,7 +116,7 @@ TEST_CASE("incoherent rays cost little more than if they were sorted at once", "
 
 TEST_CASE("sorted parallel rays cost far less than in no order", "[traversal]") {
     const Triangles triangles = soup(20'000, 0.03f);
-    RayBatch rays = sunlit_picture();
+    RayBatch rays = orthographic({0.1f, 0.3f, 0.2f}, {-0.2f, -0.5f, -1.0f}, 1.1f, 192);
     shuffle(rays, 0, rays.size());
     OcclusionBatch result;
     const TraceReport sorted = blocked(TracerKind::grid, triangles, rays, RayOrder::arbitrary, result);
