@@ -12,6 +12,8 @@
 
 #include <glm/common.hpp>
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -171,6 +173,35 @@ TEST_CASE("a far ray meets the rim of a crowded cell's triangles, which stand a 
         CHECK(hits > 1000);
         CHECK(different == 0);
     }
+}
+
+TEST_CASE("what incoherent rays cost does not depend on the number of threads", "[traversal]") {
+    // Rays that are traced side by side share a mailbox, and so do tasks that one thread takes in a row.
+    const Triangles triangles = soup(5'000, 0.4f);
+    Random random(82);
+    traversal::RayBatch rays;
+    rays.resize(300'000, std::nullopt, traversal::RayOrder::arbitrary);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        rays.set_origin(i, random.in_box(-1.0f, 1.0f));
+        rays.set_direction(i, random.on_sphere());
+        rays.t_min[i] = 0.0f;
+        rays.t_max[i] = 2.0f;
+    }
+    const auto with = [&](int threads) {
+        tbb::task_arena arena(threads);
+        return arena.execute([&] {
+            const auto tracer = traversal::make_tracer(
+                {.kind = traversal::TracerKind::grid, .resolution = {.lambda = 0.25f}});
+            tracer->rebuild(triangles.view());
+            traversal::HitBatch hits;
+            return tracer->closest_hits(rays, hits);
+        });
+    };
+    const traversal::TraceReport alone = with(1), together = with(3);
+    CHECK(alone.cells == together.cells);
+    CHECK(alone.triangle_tests == together.triangle_tests);
+    CHECK(alone.extra_bytes == together.extra_bytes);
+    CHECK(alone.triangle_tests > rays.size());
 }
 
 }  // namespace gridreel::tests
