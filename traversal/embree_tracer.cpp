@@ -75,26 +75,22 @@ void copy_lanes(const rebuild::Buffer<float>& from, const Lanes& lanes, float* t
     }
 }
 
+/// x, y and z of what rays have in common, or each of its own.
+void fill_axes(const std::optional<glm::vec3>& common, const std::array<rebuild::Buffer<float>, 3>& own,
+               const Lanes& lanes, const std::array<float*, 3>& to) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (common) {
+            std::fill_n(to[axis], width, (*common)[static_cast<int>(axis)]);
+        } else {
+            copy_lanes(own[axis], lanes, to[axis]);
+        }
+    }
+}
+
 /// Fills a packet, and says which of its rays can hit anything.
 void fill(const RayBatch& rays, const Lanes& lanes, RTCRay16& packet, std::array<int, width>& valid) {
-    if (rays.common_origin) {
-        std::fill_n(packet.org_x, width, rays.common_origin->x);
-        std::fill_n(packet.org_y, width, rays.common_origin->y);
-        std::fill_n(packet.org_z, width, rays.common_origin->z);
-    } else {
-        copy_lanes(rays.origin[0], lanes, packet.org_x);
-        copy_lanes(rays.origin[1], lanes, packet.org_y);
-        copy_lanes(rays.origin[2], lanes, packet.org_z);
-    }
-    if (rays.common_direction) {
-        std::fill_n(packet.dir_x, width, rays.common_direction->x);
-        std::fill_n(packet.dir_y, width, rays.common_direction->y);
-        std::fill_n(packet.dir_z, width, rays.common_direction->z);
-    } else {
-        copy_lanes(rays.direction[0], lanes, packet.dir_x);
-        copy_lanes(rays.direction[1], lanes, packet.dir_y);
-        copy_lanes(rays.direction[2], lanes, packet.dir_z);
-    }
+    fill_axes(rays.common_origin, rays.origin, lanes, {packet.org_x, packet.org_y, packet.org_z});
+    fill_axes(rays.common_direction, rays.direction, lanes, {packet.dir_x, packet.dir_y, packet.dir_z});
     copy_lanes(rays.t_min, lanes, packet.tnear);
     copy_lanes(rays.t_max, lanes, packet.tfar);
     std::fill_n(packet.time, width, 0.0f);

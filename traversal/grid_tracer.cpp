@@ -60,21 +60,27 @@ rebuild::BuildReport GridTracer::rebuild(const rebuild::TriangleView& triangles)
     return report;
 }
 
+template <class Kernel, class Answers>
+TraceReport GridTracer::trace_each(const GridScene& scene, const RayBatch& rays, Kernel kernel,
+                                   Answers& answers) {
+    const CellDigest cells = digest(rays.size());
+    TraceReport report = trace_in_parallel(
+        rays.size(), rays_per_task,
+        [&](std::size_t first, std::size_t last) {
+            return kernel(scene, cells, rays, resumed_, first, last, answers);
+        },
+        always_the_same);
+    report.extra_bytes = digest_bytes();
+    return report;
+}
+
 TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
     hits.resize(rays.size());
     if (rays.size() == 0) return {};
     const GridScene scene = begin(rays);
     if (!in_packets(rays)) {
-        const CellDigest cells = digest(rays.size());
-        const auto trace = traversal_ == Traversal::one_by_one ? closest_one_by_one : closest_in_streams;
-        TraceReport report = trace_in_parallel(
-            rays.size(), rays_per_task,
-            [&](std::size_t first, std::size_t last) {
-                return trace(scene, cells, rays, resumed_, first, last, hits);
-            },
-            always_the_same);
-        report.extra_bytes = digest_bytes();
-        return report;
+        return trace_each(
+            scene, rays, traversal_ == Traversal::one_by_one ? closest_one_by_one : closest_in_streams, hits);
     }
     const bool sorts = rays.order != RayOrder::coherent;
     const PacketSource source(rays, resumed_, sorts ? &ray_sort_.sort(rays) : nullptr, packets_);
@@ -89,16 +95,8 @@ TraceReport GridTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded)
     if (rays.size() == 0) return {};
     const GridScene scene = begin(rays);
     if (!in_packets(rays)) {
-        const CellDigest cells = digest(rays.size());
-        const auto trace = traversal_ == Traversal::one_by_one ? any_one_by_one : any_in_streams;
-        TraceReport report = trace_in_parallel(
-            rays.size(), rays_per_task,
-            [&](std::size_t first, std::size_t last) {
-                return trace(scene, cells, rays, resumed_, first, last, occluded);
-            },
-            always_the_same);
-        report.extra_bytes = digest_bytes();
-        return report;
+        return trace_each(scene, rays, traversal_ == Traversal::one_by_one ? any_one_by_one : any_in_streams,
+                          occluded);
     }
     TraceReport report;
     const SortedRays* sorted = nullptr;

@@ -31,6 +31,9 @@ private:
     [[nodiscard]] CellDigest digest(std::size_t rays);
     [[nodiscard]] std::size_t digest_bytes() const;
     [[nodiscard]] bool in_packets(const RayBatch& rays) const;
+    /// Each ray on its own way.
+    template <class Kernel, class Answers>
+    TraceReport trace_each(const GridScene& scene, const RayBatch& rays, Kernel kernel, Answers& answers);
     /// Leaves rays `undecided` that are better sorted.
     TraceReport any_as_they_come(const GridScene& scene, const RayBatch& rays, OcclusionBatch& occluded);
 

@@ -7,7 +7,7 @@
 #define GRIDREEL_TRAVERSAL_MARCH_ALONE_INL_H_
 #endif
 
-#include "traversal/naive_kernel.h"
+#include "traversal/depth_hit.h"
 #include "traversal/packet_load-inl.h"
 #include "traversal/packet_march-inl.h"
 
@@ -21,6 +21,11 @@ namespace HWY_NAMESPACE {
 /// allow.
 [[nodiscard]] inline bool is_far(const rebuild::Grid& grid, const glm::vec3& origin) {
     return corner_error(grid.top().bounds, origin) > grid.top().least_slack;
+}
+
+/// Whether anything can be hit by the ray, or else it goes nowhere.
+[[nodiscard]] inline bool may_hit(const rebuild::Grid& grid, const glm::vec3& origin, const RayFrame& ray) {
+    return !ray.hits_nothing() && !grid.empty() && rebuild::is_traceable(origin);
 }
 
 /// The ray as a packet of its own, whose width makes up for the rounding of corners as far away as its are.

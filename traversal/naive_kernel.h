@@ -1,6 +1,7 @@
 #pragma once
 // The inner loop of the naive tracer, chosen for the machine's SIMD instructions at run time.
 
+#include "traversal/depth_hit.h"
 #include "traversal/ray_frame.h"
 
 #include <glm/vec3.hpp>
@@ -18,11 +19,6 @@ struct CornerRuns {
 };
 
 inline constexpr std::size_t naive_padding = 16;
-
-struct DepthHit {
-    float depth = 0.0f;  ///< the ray's depth_max on a miss
-    std::uint32_t triangle = no_triangle;
-};
 
 [[nodiscard]] DepthHit closest_of_all(const CornerRuns& corners, const glm::vec3& origin,
                                       const RayFrame& ray);

@@ -7,16 +7,15 @@
 #include <hwy/highway.h>
 
 #include "traversal/cell_pieces-inl.h"
+#include "traversal/depth_hit.h"
 #include "traversal/lane_ray-inl.h"
 #include "traversal/lane_walk-inl.h"
 #include "traversal/march_alone-inl.h"
-#include "traversal/naive_kernel.h"
 #include "traversal/ray_places.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <limits>
 #include <utility>
 
 HWY_BEFORE_NAMESPACE();
@@ -163,12 +162,10 @@ private:
         unsigned met = lane_ray_.meet_triangles(scene_.triangles, triangles, count, hit_.depth, depths);
         for (; HWY_UNLIKELY(met != 0); met &= met - 1) {
             const int i = std::countr_zero(met);
-            const float depth = depths[i];
-            const bool begun =
-                depth > ray_.depth_min || (depth == ray_.depth_min && triangles[i] > ray_.after);
-            if (!(begun && depth < ray_.depth_max)) continue;
-            if (depth < hit_.depth || (depth == hit_.depth && triangles[i] < hit_.triangle)) {
-                hit_ = {.depth = depth, .triangle = triangles[i]};
+            const DepthHit met_here{.depth = depths[i], .triangle = triangles[i]};
+            if (!counts(ray_, met_here)) continue;
+            if (comes_before(met_here, hit_)) {
+                hit_ = met_here;
                 update_reach();
             }
             if (wanted == Wanted::any) return true;
@@ -195,9 +192,9 @@ private:
     std::uint64_t pieces_[piece_count];
 };
 
-template <Wanted wanted, class Store>
+template <Wanted wanted, class Answers>
 TraceReport trace(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
-                  const ResumedRays& resumed, std::size_t begin, std::size_t end, const Store& store) {
+                  const ResumedRays& resumed, std::size_t begin, std::size_t end, Answers& answers) {
     TraceReport report{.rays = end - begin};
     RayMailbox mailbox;
     Packet packet;
@@ -206,15 +203,16 @@ TraceReport trace(const GridScene& scene, const CellDigest& cells, const RayBatc
     for (std::size_t i = begin; i < end; ++i) {
         const RayFrame ray = resumed.frame(rays, i);
         const glm::vec3 origin = rays.origin_of(i);
-        if (ray.hits_nothing() || scene.grid.empty() || !rebuild::is_traceable(origin)) {
-            store(i, ray, DepthHit{});
+        if (!may_hit(scene.grid, origin, ray)) {
+            store(ray, DepthHit{}, i, answers);
             continue;
         }
-        store(i, ray,
+        store(ray,
               is_far(scene.grid, origin)
                   ? march_alone<wanted>(scene, source, static_cast<std::uint32_t>(i), ray.axes, packet,
                                         candidates, report)
-                  : SingleWalk<wanted>(scene, cells, origin, ray, mailbox, report).run());
+                  : SingleWalk<wanted>(scene, cells, origin, ray, mailbox, report).run(),
+              i, answers);
     }
     return report;
 }
@@ -222,22 +220,13 @@ TraceReport trace(const GridScene& scene, const CellDigest& cells, const RayBatc
 TraceReport closest_one_by_one(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
                                const ResumedRays& resumed, std::size_t begin, std::size_t end,
                                HitBatch& hits) {
-    return trace<Wanted::closest>(scene, cells, rays, resumed, begin, end,
-                                  [&](std::size_t i, const RayFrame& ray, const DepthHit& hit) {
-                                      const bool missed = hit.triangle == no_triangle;
-                                      hits.t[i] = missed ? std::numeric_limits<float>::infinity()
-                                                         : ray.t_of(hit.depth);
-                                      hits.triangle[i] = hit.triangle;
-                                  });
+    return trace<Wanted::closest>(scene, cells, rays, resumed, begin, end, hits);
 }
 
 TraceReport any_one_by_one(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
                            const ResumedRays& resumed, std::size_t begin, std::size_t end,
                            OcclusionBatch& occluded) {
-    return trace<Wanted::any>(scene, cells, rays, resumed, begin, end,
-                              [&](std::size_t i, const RayFrame&, const DepthHit& hit) {
-                                  occluded[i] = hit.triangle != no_triangle;
-                              });
+    return trace<Wanted::any>(scene, cells, rays, resumed, begin, end, occluded);
 }
 
 }  // namespace HWY_NAMESPACE
