@@ -7,6 +7,7 @@
 #include "anim/gltf/read_animations.h"
 #include "anim/gltf/read_images.h"
 #include "anim/gltf/read_meshes.h"
+#include "anim/gltf/read_node_extensions.h"
 #include "anim/gltf/undrawn_looks.h"
 #include "anim/gltf/validate.h"
 
@@ -23,6 +24,7 @@ void validate(Document& document) {
     validate_shape(root);
     document.read_buffers();
     validate_nodes(root, document.accessors());
+    validate_instances(root, document.accessors());
     validate_meshes(root, document.accessors());
     validate_animations(root, document.accessors());
     validate_cameras_and_lights(root);
@@ -35,6 +37,7 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& 
     validate(document);
 
     Scene scene = describe_scene(document);
+    read_node_extensions(document, scene);
     warn_of_undrawn_looks(document);
     scene.name = file.stem().string();
     scene.meshes = read_meshes(document);

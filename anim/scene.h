@@ -39,6 +39,9 @@ struct Node {
     std::optional<Index> camera;
     std::optional<Index> light;
     std::vector<float> weights;  ///< one per morph target of `mesh`, or empty: the mesh's own
+    bool visible = true;         ///< at rest; false hides the nodes below it, too (KHR_node_visibility)
+    /// Where copies of `mesh` stand, seen from the node (EXT_mesh_gpu_instancing); empty: one, at the node.
+    std::vector<Trs> instances;
 };
 
 // --- Meshes ------------------------------------------------------------------------------------
@@ -86,19 +89,33 @@ struct Skin {
 // --- Animation ---------------------------------------------------------------------------------
 
 enum class Interpolation { step, linear, cubic_spline };
-enum class ChannelPath { translation, rotation, scale, weights };
+
+/// What a channel drives: something of a node, or a value of a camera, a light or a material.
+enum class ChannelPath {
+    translation,
+    rotation,
+    scale,
+    weights,     ///< all morph weights of a node
+    weight,      ///< one of them
+    visibility,  ///< of a node; what is not zero shows it
+    camera,
+    light,
+    material,
+};
 
 /// Keys of one animated property (glTF 2.0, section 3.11 and appendix C).
 struct Sampler {
     std::vector<float> times_s;  ///< strictly increasing, at least one
     std::vector<float> values;   ///< per key: `width` numbers, or in-tangent, value, out-tangent (cubic)
-    std::uint32_t width = 0;     ///< 3, 4 (x, y, z, w) or the number of morph targets
+    std::uint32_t width = 0;     ///< numbers per key: 3, 4 (x, y, z, w), the number of morph targets, …
     Interpolation interpolation = Interpolation::linear;
 };
 
 struct Channel {
-    Index node = 0;
+    Index object = 0;  ///< node, camera, light or material, as `path` says
     ChannelPath path = ChannelPath::translation;
+    /// Which value of a camera, light or material (into its list in animated_properties.h), or which weight.
+    Index property = 0;
     Index sampler = 0;  ///< into `Animation::samplers`
 };
 

@@ -10,7 +10,9 @@
 namespace gridreel::anim::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 2> supported{"KHR_lights_punctual", "KHR_mesh_quantization"};
+constexpr std::array<std::string_view, 5> supported{"EXT_mesh_gpu_instancing", "KHR_animation_pointer",
+                                                    "KHR_lights_punctual", "KHR_mesh_quantization",
+                                                    "KHR_node_visibility"};
 
 bool is_supported(std::string_view name) {
     return std::find(supported.begin(), supported.end(), name) != supported.end();

@@ -74,7 +74,19 @@ constexpr Property light_reference_properties[] = {
 };
 constexpr Shape light_reference{light_reference_properties};
 
+constexpr Property visibility_properties[] = {
+    {.name = "visible", .kind = boolean},
+};
+constexpr Shape visibility{visibility_properties};
+
+constexpr Property instancing_properties[] = {
+    {.name = "attributes", .kind = index_map, .into = "accessors"},
+};
+constexpr Shape instancing{instancing_properties};
+
 constexpr Property node_extension_properties[] = {
+    {.name = "KHR_node_visibility", .kind = object, .shape = &visibility},
+    {.name = "EXT_mesh_gpu_instancing", .kind = object, .shape = &instancing},
     {.name = "KHR_lights_punctual", .kind = object, .shape = &light_reference},
 };
 constexpr Shape node_extensions{node_extension_properties};
@@ -140,9 +152,20 @@ constexpr Property animation_sampler_properties[] = {
 };
 constexpr Shape animation_sampler{animation_sampler_properties};
 
+constexpr Property animation_pointer_properties[] = {
+    {.name = "pointer", .kind = text, .required = true},
+};
+constexpr Shape animation_pointer{animation_pointer_properties};
+
+constexpr Property target_extension_properties[] = {
+    {.name = "KHR_animation_pointer", .kind = object, .shape = &animation_pointer},
+};
+constexpr Shape target_extensions{target_extension_properties};
+
 constexpr Property target_properties[] = {
     {.name = "node", .kind = index, .into = "nodes"},
     {.name = "path", .kind = text, .required = true},
+    {.name = "extensions", .kind = object, .shape = &target_extensions},
 };
 constexpr Shape target{target_properties};
 

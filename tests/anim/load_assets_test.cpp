@@ -56,6 +56,13 @@ bool all_below(const Items& items, std::size_t limit) {
     return std::all_of(items.begin(), items.end(), [&](auto i) { return i < limit; });
 }
 
+/// How many objects there are that a channel on `path` could drive.
+std::size_t count_of(const anim::Scene& scene, anim::ChannelPath path) {
+    if (path == anim::ChannelPath::camera) return scene.cameras.size();
+    if (path == anim::ChannelPath::light) return scene.lights.size();
+    return path == anim::ChannelPath::material ? scene.materials.size() : scene.nodes.size();
+}
+
 /// Everything the header of `Scene` promises about indices and sizes.
 void check_promises(const anim::Scene& scene) {
     REQUIRE_FALSE(scene.scenes.empty());
@@ -88,7 +95,7 @@ void check_promises(const anim::Scene& scene) {
     }
     for (const auto& animation : scene.animations) {
         for (const auto& channel : animation.channels) {
-            CHECK(channel.node < scene.nodes.size());
+            CHECK(channel.object < count_of(scene, channel.path));
             REQUIRE(channel.sampler < animation.samplers.size());
         }
         for (const auto& sampler : animation.samplers) {
