@@ -116,7 +116,7 @@ JobResult run_job(const Job& job, JobObserver& observer, const std::atomic<bool>
     for (const anim::Warning& warning : scene.warnings)
         observer.warning(fmt::format("{}: {}", warning.where, warning.text));
     const anim::Clip clip = choose_clip(scene, job.take);
-    const std::vector<Frame> frames = choose_frames(job.take, clip, job.output);
+    const std::vector<Frame> frames = choose_frames(job.take, scene, clip, job.output);
     check_camera(scene, clip, job.render.camera);
     engine::FrameRenderer renderer(scene, clip, job.render);
     make_folder(job.output.folder());

@@ -1,5 +1,6 @@
 #include "sequences/take.h"
 
+#include "anim/repeats.h"
 #include "engine/choose_camera.h"
 #include "sequences/errors.h"
 
@@ -22,10 +23,11 @@ UsageError too_long(double duration_s, const FrameRate& rate) {
             "--frames", "name the frames to render"};
 }
 
-std::vector<Frame> whole_clip(double duration_s, const FrameRate& rate) {
-    const Frame last = last_frame(duration_s, rate);
-    if (last >= static_cast<Frame>(max_frames)) throw too_long(duration_s, rate);
-    return frame_range(0, last);
+std::vector<Frame> whole_clip(const Take& take, const anim::Scene& scene, const anim::Clip& clip) {
+    const Frame last = last_frame(clip.duration_s, take.rate);
+    if (last >= static_cast<Frame>(max_frames)) throw too_long(clip.duration_s, take.rate);
+    const bool comes_back = take.loop && last > 0 && anim::repeats(scene, clip, 0.0, take.rate.time_of(last));
+    return frame_range(0, comes_back ? last - 1 : last);
 }
 
 /// The list with the clip's last frame in the place of `clip_end`, unless the list has that frame already.
@@ -60,9 +62,10 @@ void check_camera(const anim::Scene& scene, const anim::Clip& clip, std::string_
     }
 }
 
-std::vector<Frame> choose_frames(const Take& take, const anim::Clip& clip, const FramePattern& output) {
-    const std::vector<Frame> frames = take.frames ? with_last(*take.frames, clip.duration_s, take.rate)
-                                                  : whole_clip(clip.duration_s, take.rate);
+std::vector<Frame> choose_frames(const Take& take, const anim::Scene& scene, const anim::Clip& clip,
+                                 const FramePattern& output) {
+    const std::vector<Frame> frames =
+        take.frames ? with_last(*take.frames, clip.duration_s, take.rate) : whole_clip(take, scene, clip);
     check_numbered(frames.size(), output);
     return frames;
 }

@@ -47,11 +47,12 @@ struct TakeText {
     std::string fps = "24";
     std::string animation = "auto";
     std::string scene;
+    bool loop = false;
 };
 
 enum class FrameOption { offered, left_out };
 
-/// -f --fps --animation --scene.
+/// -f --loop --fps --animation --scene.
 void add_clip_options(CLI::App& app, TakeText& text, FrameOption frames);
 
 /// SCENE, and those of `add_clip_options`.

@@ -61,6 +61,9 @@ void add_clip_options(CLI::App& app, TakeText& text, FrameOption frames) {
             ->type_name("LIST")
             ->default_str("whole clip")
             ->group("What to play");
+        app.add_flag("--loop", text.loop,
+                     "Without --frames: leave the last frame out when it repeats the first")
+            ->group("What to play");
     }
     app.add_option("--fps", text.fps, "Frames per second; 30000/1001 too")
         ->type_name("RATE")
@@ -90,6 +93,7 @@ sequences::Take read_take(const TakeText& text) {
     take.scene_file = text.scene_file;
     take.animation = text.animation;
     take.rate = sequences::parse_frame_rate(text.fps);
+    take.loop = text.loop;
     if (!text.scene.empty()) take.scene = parse_scene_number(text.scene);
     if (!text.frames.empty()) take.frames = sequences::parse_frame_list(text.frames);
     return take;
