@@ -10,7 +10,9 @@
 namespace gridreel::anim::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 2> supported{"KHR_lights_punctual", "KHR_mesh_quantization"};
+constexpr std::array<std::string_view, 5> supported{"EXT_meshopt_compression", "KHR_draco_mesh_compression",
+                                                    "KHR_lights_punctual", "KHR_mesh_quantization",
+                                                    "KHR_meshopt_compression"};
 
 bool is_supported(std::string_view name) {
     return std::find(supported.begin(), supported.end(), name) != supported.end();
@@ -22,7 +24,6 @@ std::string_view remedy_for(std::span<const std::string> names) {
         return std::any_of(names.begin(), names.end(),
                            [&](const std::string& name) { return name.find(part) != name.npos; });
     };
-    if (has("draco") || has("meshopt")) return "export the model without mesh compression";
     if (has("basisu") || has("webp")) return "export the model with PNG or JPEG textures";
     return "export the model without these extensions";
 }

@@ -6,6 +6,8 @@ find_package(hwy CONFIG REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
+find_package(meshoptimizer CONFIG REQUIRED)
+find_package(draco CONFIG REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 # Its search notes that a Python library of Imath is absent; nobody here needs it.
