@@ -2,6 +2,7 @@
 
 #include "anim/gltf/describe_scene.h"
 #include "anim/gltf/document.h"
+#include "anim/gltf/draco_primitives.h"
 #include "anim/gltf/extensions.h"
 #include "anim/gltf/influences.h"
 #include "anim/gltf/read_animations.h"
@@ -35,6 +36,7 @@ void validate(Document& document) {
 Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& file) {
     Document document(bytes, file);
     validate(document);
+    decompress_primitives(document);
 
     Scene scene = describe_scene(document);
     read_node_extensions(document, scene);

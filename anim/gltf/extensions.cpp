@@ -10,9 +10,10 @@
 namespace gridreel::anim::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 5> supported{"EXT_mesh_gpu_instancing", "KHR_animation_pointer",
-                                                    "KHR_lights_punctual", "KHR_mesh_quantization",
-                                                    "KHR_node_visibility"};
+constexpr std::array<std::string_view, 8> supported{"EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
+                                                    "KHR_animation_pointer",   "KHR_draco_mesh_compression",
+                                                    "KHR_lights_punctual",     "KHR_mesh_quantization",
+                                                    "KHR_meshopt_compression", "KHR_node_visibility"};
 
 bool is_supported(std::string_view name) {
     return std::find(supported.begin(), supported.end(), name) != supported.end();
@@ -24,7 +25,6 @@ std::string_view remedy_for(std::span<const std::string> names) {
         return std::any_of(names.begin(), names.end(),
                            [&](const std::string& name) { return name.find(part) != name.npos; });
     };
-    if (has("draco") || has("meshopt")) return "export the model without mesh compression";
     if (has("basisu") || has("webp")) return "export the model with PNG or JPEG textures";
     return "export the model without these extensions";
 }

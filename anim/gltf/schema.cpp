@@ -22,17 +22,51 @@ constexpr std::array index_component_types{5121, 5123, 5125};
 constexpr std::array<std::string_view, 7> element_types{"SCALAR", "VEC2", "VEC3", "VEC4",
                                                         "MAT2",   "MAT3", "MAT4"};
 
+constexpr Property fallback_properties[] = {
+    {.name = "fallback", .kind = boolean},
+};
+constexpr Shape fallback{fallback_properties};
+
+constexpr Property buffer_extension_properties[] = {
+    {.name = "EXT_meshopt_compression", .kind = object, .shape = &fallback},
+    {.name = "KHR_meshopt_compression", .kind = object, .shape = &fallback},
+};
+constexpr Shape buffer_extensions{buffer_extension_properties};
+
 constexpr Property buffer_properties[] = {
     {.name = "uri", .kind = text},
     {.name = "byteLength", .kind = integer, .required = true, .most = any_integer},
+    {.name = "extensions", .kind = object, .shape = &buffer_extensions},
 };
 constexpr Shape buffer{buffer_properties};
+
+constexpr std::array<std::string_view, 3> meshopt_modes{"ATTRIBUTES", "TRIANGLES", "INDICES"};
+constexpr std::array<std::string_view, 5> meshopt_filters{"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL",
+                                                          "COLOR"};
+
+constexpr Property meshopt_properties[] = {
+    {.name = "buffer", .kind = index, .required = true, .into = "buffers"},
+    {.name = "byteOffset", .kind = integer, .most = any_integer},
+    {.name = "byteLength", .kind = integer, .required = true, .least = 1, .most = any_integer},
+    {.name = "byteStride", .kind = integer, .required = true, .least = 1, .most = 256},
+    {.name = "count", .kind = integer, .required = true, .least = 1, .most = any_integer},
+    {.name = "mode", .kind = text, .required = true, .words = meshopt_modes},
+    {.name = "filter", .kind = text, .words = meshopt_filters},
+};
+constexpr Shape meshopt{meshopt_properties};
+
+constexpr Property view_extension_properties[] = {
+    {.name = "EXT_meshopt_compression", .kind = object, .shape = &meshopt},
+    {.name = "KHR_meshopt_compression", .kind = object, .shape = &meshopt},
+};
+constexpr Shape view_extensions{view_extension_properties};
 
 constexpr Property view_properties[] = {
     {.name = "buffer", .kind = index, .required = true, .into = "buffers"},
     {.name = "byteOffset", .kind = integer, .most = any_integer},
     {.name = "byteLength", .kind = integer, .required = true, .most = any_integer},
     {.name = "byteStride", .kind = integer, .least = 4, .most = 252},
+    {.name = "extensions", .kind = object, .shape = &view_extensions},
 };
 constexpr Shape view{view_properties};
 
@@ -121,12 +155,26 @@ constexpr Shape skin{skin_properties};
 
 constexpr std::array modes{0, 1, 2, 3, 4, 5, 6};
 
+// The names and identifiers in `attributes` are checked where they are looked up.
+constexpr Shape draco_attributes{};
+constexpr Property draco_properties[] = {
+    {.name = "bufferView", .kind = index, .required = true, .into = "bufferViews"},
+    {.name = "attributes", .kind = object, .required = true, .shape = &draco_attributes},
+};
+constexpr Shape draco{draco_properties};
+
+constexpr Property primitive_extension_properties[] = {
+    {.name = "KHR_draco_mesh_compression", .kind = object, .shape = &draco},
+};
+constexpr Shape primitive_extensions{primitive_extension_properties};
+
 constexpr Property primitive_properties[] = {
     {.name = "attributes", .kind = index_map, .required = true, .into = "accessors"},
     {.name = "indices", .kind = index, .into = "accessors"},
     {.name = "material", .kind = index, .into = "materials"},
     {.name = "mode", .kind = integer, .codes = modes},
     {.name = "targets", .kind = index_map, .list = true, .into = "accessors"},
+    {.name = "extensions", .kind = object, .shape = &primitive_extensions},
 };
 constexpr Shape primitive{primitive_properties};
 

@@ -44,7 +44,8 @@ struct Shape {
     std::span<const Property> properties;
 };
 
-/// The root object: every property that this reader looks at (glTF 2.0, chapter 5, and KHR_lights_punctual).
+/// The root object: every property that this reader looks at (glTF 2.0, chapter 5, and
+/// the extensions that are understood).
 /// Others are left alone. Empty arrays are tolerated.
 [[nodiscard]] const Shape& root_shape();
 

@@ -138,11 +138,11 @@ TEST_CASE("extensions that are used but unknown are ignored with a warning", "[l
 
 TEST_CASE("extensions that are required but unknown are refused by name", "[load]") {
     auto file = test::one_triangle();
-    file.json["extensionsRequired"] = {"KHR_lights_punctual", "KHR_draco_mesh_compression", "X_other"};
+    file.json["extensionsRequired"] = {"KHR_lights_punctual", "X_first", "X_other"};
     const auto refusal = test::refusal_of(file);
     CHECK(refusal.pointer == "/extensionsRequired");
-    CHECK_THAT(refusal.message, Contains("KHR_draco_mesh_compression, X_other, which are not supported") &&
-                                    Contains("without mesh compression") && !Contains("punctual"));
+    CHECK_THAT(refusal.message, Contains("X_first, X_other, which are not supported") &&
+                                    Contains("without these extensions") && !Contains("punctual"));
 }
 
 TEST_CASE("versions 2.x are read unless they need a newer reader", "[load]") {
