@@ -40,15 +40,12 @@ std::vector<std::string> models_under(const std::string& folder) {
 /// What a file must be refused for.
 const std::map<std::string, std::string> refused_for{
     {"asset-generator/Compatibility/Compatibility_04.gltf", "glTF 2.1"},
-    {"blender-io/24_animation_pointer/24_animation_pointer.gltf", "KHR_materials_unlit"},
     {"derived/Fox_gltfpack-cc.glb", "EXT_meshopt_compression"},
     {"derived/MorphStressTest_gltfpack-c.glb", "EXT_meshopt_compression"},
     {"derived/RobotExpressive_draco.glb", "KHR_draco_mesh_compression"},
     {"derived/RobotExpressive_gltfpack-cc.glb", "EXT_meshopt_compression"},
     {"khronos/CesiumMan-Draco/CesiumMan.gltf", "KHR_draco_mesh_compression"},
     {"khronos/RiggedSimple-Draco/RiggedSimple.gltf", "KHR_draco_mesh_compression"},
-    {"khronos/TextureTransformMultiTest.glb", "KHR_texture_transform"},
-    {"khronos/UnlitTest.glb", "KHR_materials_unlit"},
 };
 
 template <class Items>
