@@ -7,10 +7,13 @@
 #include "anim/gltf/influences.h"
 #include "anim/gltf/read_animations.h"
 #include "anim/gltf/read_images.h"
+#include "anim/gltf/read_materials.h"
 #include "anim/gltf/read_meshes.h"
 #include "anim/gltf/read_node_extensions.h"
+#include "anim/gltf/read_textures.h"
 #include "anim/gltf/undrawn_looks.h"
 #include "anim/gltf/validate.h"
+#include "anim/gltf/version.h"
 
 #include <utility>
 
@@ -20,8 +23,9 @@ namespace {
 using namespace gltf;
 
 void validate(Document& document) {
-    check_version_and_extensions(document);
     const Place root = document.root();
+    check_version(root);
+    check_extensions(document);
     validate_shape(root);
     document.read_buffers();
     validate_nodes(root, document.accessors());
@@ -40,7 +44,9 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& 
 
     Scene scene = describe_scene(document);
     read_node_extensions(document, scene);
-    warn_of_undrawn_looks(document);
+    scene.materials = read_materials(document);
+    scene.textures = read_textures(document, scene.materials);
+    warn_of_undrawn_looks(document, scene.materials);
     scene.name = file.stem().string();
     scene.meshes = read_meshes(document);
     scene.animations = read_animations(document);

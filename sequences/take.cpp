@@ -1,6 +1,8 @@
 #include "sequences/take.h"
 
+#include "anim/load.h"
 #include "anim/repeats.h"
+#include "anim/variants.h"
 #include "engine/choose_camera.h"
 #include "sequences/errors.h"
 
@@ -45,6 +47,18 @@ std::vector<Frame> with_last(std::vector<Frame> frames, double duration_s, const
 }
 
 }  // namespace
+
+LoadedScene load_scene(const Take& take) {
+    LoadedScene loaded{.scene = anim::load(take.scene_file), .variant = {}};
+    if (take.variant.empty()) return loaded;
+    try {
+        loaded.variant = anim::choose_variant(loaded.scene, take.variant);
+    } catch (const Error& error) {
+        throw UsageError(error.what(), "");
+    }
+    anim::show_variant(loaded.scene, *loaded.variant);
+    return loaded;
+}
 
 anim::Clip choose_clip(const anim::Scene& scene, const Take& take) {
     try {

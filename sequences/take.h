@@ -20,10 +20,22 @@ struct Take {
     std::filesystem::path scene_file;
     std::string animation = "auto";    ///< as `anim::choose_clip` takes it
     std::optional<anim::Index> scene;  ///< of the file; absent: its default
+    std::string variant;               ///< as `anim::choose_variant` takes it; empty: the materials' own
     FrameRate rate;
     std::optional<std::vector<Frame>> frames;  ///< absent: the whole clip, last key included
     bool loop = false;  ///< the whole clip is without its last frame when that repeats the first
 };
+
+/// A file, and which of its variants its materials show.
+struct LoadedScene {
+    anim::Scene scene;
+    std::optional<anim::Index> variant;  ///< absent: none was asked for
+};
+
+/// `anim::load` of the take's file in the variant asked for; one that the file does not have is the caller's
+/// mistake.
+/// @throws UsageError, Error
+[[nodiscard]] LoadedScene load_scene(const Take& take);
 
 /// `anim::choose_clip`, but a name that the file does not have is the caller's mistake.
 /// @throws UsageError

@@ -40,9 +40,6 @@ std::vector<std::string> models_under(const std::string& folder) {
 /// What a file must be refused for.
 const std::map<std::string, std::string> refused_for{
     {"asset-generator/Compatibility/Compatibility_04.gltf", "glTF 2.1"},
-    {"blender-io/24_animation_pointer/24_animation_pointer.gltf", "KHR_materials_unlit"},
-    {"khronos/TextureTransformMultiTest.glb", "KHR_texture_transform"},
-    {"khronos/UnlitTest.glb", "KHR_materials_unlit"},
 };
 
 template <class Items>
