@@ -24,7 +24,7 @@ double not_zero(const float* value) {
     return value[0] == 0.0f ? double(smallest) : double(value[0]);
 }
 
-constexpr AnimatedProperty<Camera> of_cameras[] = {
+const AnimatedProperty<Camera> of_cameras[] = {
     {"perspective/yfov", 1,
      [](Camera& camera, const float* value) {
          camera.fov_y_rad = std::clamp(double(value[0]), 1e-6, std::numbers::pi - 1e-6);
@@ -51,7 +51,7 @@ float not_negative(const float* value) {
     return std::max(value[0], 0.0f);
 }
 
-constexpr AnimatedProperty<Light> of_lights[] = {
+const AnimatedProperty<Light> of_lights[] = {
     {"color", 3, [](Light& light, const float* value) { light.color = color(value); }},
     {"intensity", 1, [](Light& light, const float* value) { light.intensity = not_negative(value); }},
     {"range", 1, [](Light& light, const float* value) { light.range_m = std::max(value[0], smallest); }},
@@ -65,26 +65,6 @@ constexpr AnimatedProperty<Light> of_lights[] = {
      }},
 };
 
-// --- Materials ---------------------------------------------------------------------------------
-
-float share(const float* value) {
-    return std::clamp(value[0], 0.0f, 1.0f);
-}
-
-constexpr AnimatedProperty<Material> of_materials[] = {
-    {"pbrMetallicRoughness/baseColorFactor", 4,
-     [](Material& material, const float* value) {
-         material.base_color = glm::clamp(glm::vec4(glm::make_vec4(value)), 0.0f, 1.0f);
-     }},
-    {"pbrMetallicRoughness/metallicFactor", 1,
-     [](Material& material, const float* value) { material.metallic = share(value); }},
-    {"pbrMetallicRoughness/roughnessFactor", 1,
-     [](Material& material, const float* value) { material.roughness = share(value); }},
-    {"emissiveFactor", 3, [](Material& material, const float* value) { material.emissive = color(value); }},
-    {"alphaCutoff", 1,
-     [](Material& material, const float* value) { material.alpha_cutoff = not_negative(value); }},
-};
-
 }  // namespace
 
 std::span<const AnimatedProperty<Camera>> camera_properties() {
@@ -93,10 +73,6 @@ std::span<const AnimatedProperty<Camera>> camera_properties() {
 
 std::span<const AnimatedProperty<Light>> light_properties() {
     return of_lights;
-}
-
-std::span<const AnimatedProperty<Material>> material_properties() {
-    return of_materials;
 }
 
 }  // namespace gridreel::anim

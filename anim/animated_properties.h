@@ -5,15 +5,15 @@
 
 #include <cstdint>
 #include <span>
-#include <string_view>
+#include <string>
 
 namespace gridreel::anim {
 
 /// One value as glTF's object model names it (glTF 2.0 Asset Object Model).
 template <class Object>
 struct AnimatedProperty {
-    std::string_view pointer;  ///< below the object: "spot/outerConeAngle"
-    std::uint32_t width = 1;   ///< numbers, 1 to 4
+    std::string pointer;      ///< below the object: "spot/outerConeAngle"
+    std::uint32_t width = 1;  ///< numbers, 1 to 4
     /// Sets it from `width` finite numbers. Splines swing past their keys: what leaves the range that the
     /// specification gives is brought back into it.
     void (*set)(Object& object, const float* value) = nullptr;

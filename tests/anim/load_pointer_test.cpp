@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <map>
+#include <optional>
 #include <string>
 
 using namespace gridreel;
@@ -94,6 +95,79 @@ TEST_CASE("a pointer drives values of cameras and lights", "[load][pointer]") {
     CHECK(light("range", {2, 4}, "SCALAR").range_m == 3.0f);
     CHECK(light("spot/innerConeAngle", {0, 0.5f}, "SCALAR").inner_cone_rad == 0.25f);
     CHECK(light("spot/outerConeAngle", {0.5f, 1.5f}, "SCALAR").outer_cone_rad == 1.0f);
+}
+
+TEST_CASE("a pointer drives factors of a material", "[load][pointer]") {
+    const auto material = [](const std::string& property, std::vector<float> values,
+                             std::string_view element) {
+        return posed(pointing("/materials/0/" + property, values, element), 1.0).materials[0];
+    };
+    const auto factor = [&](const std::string& property) { return material(property, {0, 1}, "SCALAR"); };
+    const auto color = [&](const std::string& property) {
+        return material(property, {0, 0, 0, 1, 0.5f, 2}, "VEC3");
+    };
+    const glm::vec3 half(0.5f, 0.25f, 1.0f);
+    const std::string ext = "extensions/KHR_materials_";
+
+    CHECK(material("pbrMetallicRoughness/baseColorFactor", {0, 0, 0, 0, 1, 0.5f, 0, 1}, "VEC4").base_color ==
+          glm::vec4(0.5f, 0.25f, 0.0f, 0.5f));
+    CHECK(factor("pbrMetallicRoughness/metallicFactor").metallic == 0.5f);
+    CHECK(factor("pbrMetallicRoughness/roughnessFactor").roughness == 0.5f);
+    CHECK(color("emissiveFactor").emissive == half);
+    CHECK(factor("alphaCutoff").alpha_cutoff == 0.5f);
+    CHECK(factor("normalTexture/scale").normal_scale == 0.5f);
+    CHECK(factor("occlusionTexture/strength").occlusion_strength == 0.5f);
+    CHECK(factor(ext + "emissive_strength/emissiveStrength").emissive_strength == 0.5f);
+    CHECK(material(ext + "ior/ior", {1, 2}, "SCALAR").ior == 1.5f);
+    CHECK(factor(ext + "specular/specularFactor").specular.factor == 0.5f);
+    CHECK(color(ext + "specular/specularColorFactor").specular.color == half);
+    CHECK(factor(ext + "clearcoat/clearcoatFactor").clearcoat.factor == 0.5f);
+    CHECK(factor(ext + "clearcoat/clearcoatRoughnessFactor").clearcoat.roughness == 0.5f);
+    CHECK(factor(ext + "clearcoat/clearcoatNormalTexture/scale").clearcoat.normal_scale == 0.5f);
+    CHECK(color(ext + "sheen/sheenColorFactor").sheen.color == half);
+    CHECK(factor(ext + "sheen/sheenRoughnessFactor").sheen.roughness == 0.5f);
+    CHECK(factor(ext + "transmission/transmissionFactor").transmission.factor == 0.5f);
+    CHECK(factor(ext + "volume/thicknessFactor").volume.thickness_m == 0.5f);
+    CHECK(factor(ext + "volume/attenuationDistance").volume.attenuation_distance_m == 0.5f);
+    CHECK(color(ext + "volume/attenuationColor").volume.attenuation_color == half);
+}
+
+TEST_CASE("a pointer drives the transform of every texture of a material", "[load][pointer]") {
+    using Slot = std::optional<anim::TextureRef> (*)(const anim::Material&);
+    const std::string ext = "extensions/KHR_materials_";
+    const std::map<std::string, Slot> slots{
+        {"pbrMetallicRoughness/baseColorTexture", [](auto& m) { return m.base_color_texture; }},
+        {"pbrMetallicRoughness/metallicRoughnessTexture",
+         [](auto& m) { return m.metallic_roughness_texture; }},
+        {"normalTexture", [](auto& m) { return m.normal_texture; }},
+        {"occlusionTexture", [](auto& m) { return m.occlusion_texture; }},
+        {"emissiveTexture", [](auto& m) { return m.emissive_texture; }},
+        {ext + "specular/specularTexture", [](auto& m) { return m.specular.texture; }},
+        {ext + "specular/specularColorTexture", [](auto& m) { return m.specular.color_texture; }},
+        {ext + "clearcoat/clearcoatTexture", [](auto& m) { return m.clearcoat.texture; }},
+        {ext + "clearcoat/clearcoatRoughnessTexture", [](auto& m) { return m.clearcoat.roughness_texture; }},
+        {ext + "clearcoat/clearcoatNormalTexture", [](auto& m) { return m.clearcoat.normal_texture; }},
+        {ext + "sheen/sheenColorTexture", [](auto& m) { return m.sheen.color_texture; }},
+        {ext + "sheen/sheenRoughnessTexture", [](auto& m) { return m.sheen.roughness_texture; }},
+        {ext + "transmission/transmissionTexture", [](auto& m) { return m.transmission.texture; }},
+        {ext + "volume/thicknessTexture", [](auto& m) { return m.volume.thickness_texture; }},
+    };
+    for (const auto& [texture, slot] : slots) {
+        CAPTURE(texture);
+        const auto transform = [&, &slot = slot, &texture = texture](const std::string& property,
+                                                                     const std::vector<float>& values,
+                                                                     std::string_view element) {
+            const auto pointer = "/materials/0/" + texture + "/extensions/KHR_texture_transform/" + property;
+            auto file = pointing(pointer, values, element);
+            file.json["images"] = json::array({{{"uri", "data:image/png;base64,AAAA"}}});
+            file.json["textures"] = json::array({{{"source", 0}}});
+            file.json["materials"][0][json::json_pointer("/" + texture + "/index")] = 0;
+            return slot(posed(file, 1.0).materials[0])->transform;
+        };
+        CHECK(transform("offset", {0, 0, 1, 3}, "VEC2").offset == glm::vec2(0.5f, 1.5f));
+        CHECK(transform("rotation", {0, 3}, "SCALAR").rotation_rad == 1.5f);
+        CHECK(transform("scale", {1, 1, 2, 4}, "VEC2").scale == glm::vec2(1.5f, 2.5f));
+    }
 }
 
 TEST_CASE("values that leave their range come back to it", "[load][pointer]") {
