@@ -1,5 +1,11 @@
 #include "anim/gltf/draco_mesh.h"
 
+#include <draco/draco_features.h>
+
+// What is defined above decides what these declare.
+#include <draco/compression/attributes/prediction_schemes/mesh_prediction_scheme_tex_coords_decoder.h>
+#include <draco/compression/attributes/prediction_schemes/mesh_prediction_scheme_tex_coords_portable_decoder.h>
+#include <draco/compression/attributes/prediction_schemes/prediction_scheme_wrap_decoding_transform.h>
 #include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
 #include <draco/compression/mesh/mesh_sequential_decoder.h>
 #include <draco/core/varint_decoding.h>
@@ -11,14 +17,89 @@
 #include <exception>
 #include <type_traits>
 
+// Draco 1.5.5 believes how many orientations its two predictions of texture coordinates claim: up to 2^32, in
+// seconds and half a gigabyte, from a few hundred bytes. Nothing that may be overridden lies in between, so
+// these functions take the place of the library's own, which are weak symbols of its archive; a test fails
+// where they do not.
+namespace draco {
+
+using WrapTransform = PredictionSchemeWrapDecodingTransform<int, int>;
+using BaseMesh = MeshPredictionSchemeData<CornerTable>;
+using SeamedMesh = MeshPredictionSchemeData<MeshAttributeCornerTable>;
+
+/// `resize(n)` makes room for the orientations, `set(i, orientation)` keeps one.
+template <class Resize, class Set>
+bool decode_orientations(DecoderBuffer& buffer, std::int64_t count, int corners, Resize resize, Set set) {
+    if (count < 0 || count > corners) return false;  // at most one for each corner is ever used
+    resize(static_cast<int>(count));
+    RAnsBitDecoder bits;
+    if (!bits.StartDecoding(&buffer)) return false;
+    bool orientation = true;
+    for (int i = 0; i < static_cast<int>(count); ++i) {
+        if (!bits.DecodeNextBit()) orientation = !orientation;
+        set(i, orientation);
+    }
+    bits.EndDecoding();
+    return true;
+}
+
+template <>
+bool MeshPredictionSchemeTexCoordsPortableDecoder<int, WrapTransform, BaseMesh>::DecodePredictionData(
+    DecoderBuffer* buffer) {
+    std::int32_t count = 0;
+    return buffer->Decode(&count) &&
+           decode_orientations(
+               *buffer, count, mesh_data().corner_table()->num_corners(),
+               [&](int n) { predictor_.ResizeOrientations(n); },
+               [&](int i, bool value) { predictor_.set_orientation(i, value); }) &&
+           MeshPredictionSchemeDecoder<int, WrapTransform, BaseMesh>::DecodePredictionData(buffer);
+}
+
+template <>
+bool MeshPredictionSchemeTexCoordsPortableDecoder<int, WrapTransform, SeamedMesh>::DecodePredictionData(
+    DecoderBuffer* buffer) {
+    std::int32_t count = 0;
+    return buffer->Decode(&count) &&
+           decode_orientations(
+               *buffer, count, mesh_data().corner_table()->num_corners(),
+               [&](int n) { predictor_.ResizeOrientations(n); },
+               [&](int i, bool value) { predictor_.set_orientation(i, value); }) &&
+           MeshPredictionSchemeDecoder<int, WrapTransform, SeamedMesh>::DecodePredictionData(buffer);
+}
+
+template <>
+bool MeshPredictionSchemeTexCoordsDecoder<int, WrapTransform, BaseMesh>::DecodePredictionData(
+    DecoderBuffer* buffer) {
+    std::uint32_t count = 0;
+    return DecodeVarint(&count, buffer) && count > 0 &&
+           decode_orientations(
+               *buffer, count, mesh_data().corner_table()->num_corners(),
+               [&](int n) { orientations_.resize(static_cast<std::size_t>(n)); },
+               [&](int i, bool value) { orientations_[static_cast<std::size_t>(i)] = value; }) &&
+           MeshPredictionSchemeDecoder<int, WrapTransform, BaseMesh>::DecodePredictionData(buffer);
+}
+
+template <>
+bool MeshPredictionSchemeTexCoordsDecoder<int, WrapTransform, SeamedMesh>::DecodePredictionData(
+    DecoderBuffer* buffer) {
+    std::uint32_t count = 0;
+    return DecodeVarint(&count, buffer) && count > 0 &&
+           decode_orientations(
+               *buffer, count, mesh_data().corner_table()->num_corners(),
+               [&](int n) { orientations_.resize(static_cast<std::size_t>(n)); },
+               [&](int i, bool value) { orientations_[static_cast<std::size_t>(i)] = value; }) &&
+           MeshPredictionSchemeDecoder<int, WrapTransform, SeamedMesh>::DecodePredictionData(buffer);
+}
+
+}  // namespace draco
+
 namespace gridreel::anim::gltf {
 namespace {
 
 constexpr std::uint16_t newest_bitstream = 2 << 8 | 2;
 
-/// Far more than the attributes of glTF; each may cost the library a quarter of a gigabyte when the
-/// stream lies about texture coordinates (Draco 1.5.5 believes their number of orientations).
-constexpr int most_attributes = 16;
+/// Far more than the attributes of glTF that are read here.
+constexpr int most_attributes = 64;
 
 constexpr auto too_large = "decoding it takes more memory than a file of this size may ask for";
 

@@ -14,21 +14,13 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-/// All that Draco need not predict from texture coordinates, whose number of orientations version 1.5.5 of
-/// the library believes: damage there takes seconds, and a quarter of a gigabyte.
-test::PlainMesh without_texcoords(std::uint32_t cells) {
-    auto mesh = test::bumpy_sheet(7, cells);
-    mesh.texcoords.clear();
-    return mesh;
-}
-
 DracoRequest request_for(const test::PlainMesh& mesh) {
     return {.points = mesh.positions.size(),
             .triangles = mesh.triangles.size(),
             .attributes =
                 {{.name = "POSITION", .unique_id = 0, .components = 3},
                  {.name = "NORMAL", .unique_id = 1, .components = 3},
-                 {.name = "COLOR_0", .unique_id = 2, .component = ComponentType::uint8, .components = 4}},
+                 {.name = "COLOR_0", .unique_id = 3, .component = ComponentType::uint8, .components = 4}},
             .most_bytes = std::size_t{1} << 30};
 }
 
@@ -69,7 +61,7 @@ std::vector<std::byte> claim(bool sequential, std::uint32_t vertices, std::uint3
 }  // namespace
 
 TEST_CASE("Draco data that is cut short is refused", "[draco]") {
-    const auto mesh = without_texcoords(3);
+    const auto mesh = test::bumpy_sheet(7, 3);
     const auto request = request_for(mesh);
     for (const auto& how : settings) {
         const auto whole = test::encode_draco(mesh, how);
@@ -84,7 +76,7 @@ TEST_CASE("Draco data that is cut short is refused", "[draco]") {
 }
 
 TEST_CASE("damaged Draco data gives a whole mesh or none", "[draco]") {
-    const auto mesh = without_texcoords(2);
+    const auto mesh = test::bumpy_sheet(7, 2);
     const auto request = request_for(mesh);
     for (const auto& how : settings) {
         const auto whole = test::encode_draco(mesh, how);
@@ -129,7 +121,7 @@ TEST_CASE("a small file cannot make Draco ask for endless memory", "[draco]") {
 }
 
 TEST_CASE("attributes count as memory before they are decoded", "[draco]") {
-    const auto mesh = without_texcoords(20);
+    const auto mesh = test::bumpy_sheet(7, 20);
     auto request = request_for(mesh);
     const auto stream = test::encode_draco(mesh, {});
     // Connectivity alone fits in 64 bytes a triangle and a third of that for each of the tables.
@@ -137,4 +129,44 @@ TEST_CASE("attributes count as memory before they are decoded", "[draco]") {
     CHECK_THAT(decode_draco(stream, request).refusal, Contains("more memory"));
     request.most_bytes *= 4;
     CHECK(decode_draco(stream, request).refusal.empty());
+}
+
+TEST_CASE("more orientations of texture coordinates than corners are refused at once", "[draco]") {
+    // Draco alone takes any number of them, billions too, and seconds for it. Their number stands in four
+    // bytes somewhere in the stream: where as many as there are corners pass, and one more does not.
+    auto mesh = test::bumpy_sheet(7, 3);
+    mesh.normals.clear();
+    mesh.colors.clear();
+    mesh.joints.clear();
+    mesh.weights.clear();
+    for (const bool seams : {false, true}) {
+        if (!seams)
+            for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+                mesh.texcoords[i] = {mesh.positions[i].x, mesh.positions[i].z};
+        else
+            mesh.texcoords = test::bumpy_sheet(7, 3).texcoords;
+        const auto whole = test::encode_draco(mesh, {.speed = 0});
+        DracoRequest request{.triangles = mesh.triangles.size(), .most_bytes = std::size_t{1} << 30};
+        // Without a seam, vertices along it are one.
+        request.points = seams ? mesh.positions.size() : 16;
+        request.attributes.push_back({.name = "TEXCOORD_0", .unique_id = 1, .components = 2});
+        REQUIRE(decode_draco(whole, request).refusal.empty());
+
+        const auto refusal_with = [&](std::size_t at, std::size_t count) {
+            auto changed = whole;
+            for (std::size_t k = 0; k < 4; ++k) changed[at + k] = static_cast<std::byte>(count >> 8 * k);
+            return decode_draco(changed, request).refusal;
+        };
+        const std::size_t corners = 3 * mesh.triangles.size();
+        // A few of either kind, as one might be refused by chance.
+        const auto is_bounded = [&](std::size_t at) {
+            for (std::size_t k = 0; k < 8; ++k)
+                if (!refusal_with(at, corners - k).empty() || refusal_with(at, corners + 1 + k).empty())
+                    return false;
+            return true;
+        };
+        std::size_t places = 0;
+        for (std::size_t at = 11; at + 4 <= whole.size(); ++at) places += is_bounded(at) ? 1 : 0;
+        CHECK(places == 1);
+    }
 }
