@@ -5,6 +5,7 @@
 #include "anim/gltf/draco_primitives.h"
 #include "anim/gltf/extensions.h"
 #include "anim/gltf/influences.h"
+#include "anim/gltf/missing_texcoords.h"
 #include "anim/gltf/read_animations.h"
 #include "anim/gltf/read_images.h"
 #include "anim/gltf/read_materials.h"
@@ -49,6 +50,7 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& 
     warn_of_undrawn_looks(document, scene.materials);
     scene.name = file.stem().string();
     scene.meshes = read_meshes(document);
+    warn_of_missing_texcoords(document, scene);
     scene.animations = read_animations(document);
     scene.images = read_images(document);
     check_joints_exist(document, scene);
