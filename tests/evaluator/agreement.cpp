@@ -96,12 +96,12 @@ std::vector<double> times_to_try(const evaluator::Clip& clip) {
     return times;
 }
 
-std::size_t check_clip(const anim::Scene& scene, const evaluator::File& file, std::size_t scene_index,
+std::size_t check_clip(const anim::Scene& scene, const evaluator::Model& model, std::size_t scene_index,
                        const std::string& choice, const std::vector<std::size_t>& animations) {
     CAPTURE(scene_index, choice);
     const auto clip = anim::choose_clip(scene, choice, static_cast<anim::Index>(scene_index));
     CHECK(std::vector<std::size_t>(clip.animations.begin(), clip.animations.end()) == animations);
-    const evaluator::Film film(file, animations, scene_index);
+    const evaluator::Film film(model, animations, scene_index);
     CHECK(clip.duration_s == film.clip().end_s);
 
     anim::FrameGeometry geometry = anim::lay_out(scene, clip);
@@ -119,15 +119,16 @@ std::size_t check_clip(const anim::Scene& scene, const evaluator::File& file, st
 std::size_t check_agreement(const std::filesystem::path& path) {
     CAPTURE(path);
     const anim::Scene scene = anim::load(path);
-    const evaluator::File file = evaluator::read_file(path);
-    CHECK(scene.default_scene == evaluator::default_scene(file));
+    const evaluator::Model model = evaluator::read_model(path);
+    CHECK(scene.default_scene == evaluator::default_scene(model.file));
 
     std::size_t compared = 0;
     for (std::size_t scene_index = 0; scene_index < scene.scenes.size(); ++scene_index) {
-        compared += check_clip(scene, file, scene_index, "auto", evaluator::animations_by_default(file));
+        compared +=
+            check_clip(scene, model, scene_index, "auto", evaluator::animations_by_default(model.file));
         if (scene.animations.size() < 2) continue;
         for (std::size_t animation = 0; animation < scene.animations.size(); ++animation)
-            compared += check_clip(scene, file, scene_index, std::to_string(animation), {animation});
+            compared += check_clip(scene, model, scene_index, std::to_string(animation), {animation});
     }
     return compared;
 }

@@ -92,36 +92,41 @@ void append(const Primitive& primitive, const std::vector<double>& weights, cons
 
 }  // namespace
 
-Film::Film(File file, const std::vector<std::size_t>& animations, std::size_t scene)
-    : file_(std::move(file)), clip_(play(file_, animations)) {
+Model read_model(const std::filesystem::path& path) {
+    Model model{.file = read_file(path), .meshes = {}, .inverse_bind = {}, .instances = {}};
     const json none = json::array();
-    for (std::size_t mesh = 0; mesh < file_.json.value("meshes", none).size(); ++mesh)
-        meshes_.push_back(read_primitives(file_, mesh));
-    for (const json& skin : file_.json.value("skins", none))
-        inverse_bind_.push_back(read_inverse_bind(file_, skin));
-    for (const json& node : file_.json.value("nodes", none))
-        instances_.push_back(read_instances(file_, node));
-    const auto ever_visible = nodes_ever_visible(file_, clip_);
-    for (const std::size_t node : nodes_of_scene(file_, scene))
+    for (std::size_t mesh = 0; mesh < model.file.json.value("meshes", none).size(); ++mesh)
+        model.meshes.push_back(read_primitives(model.file, mesh));
+    for (const json& skin : model.file.json.value("skins", none))
+        model.inverse_bind.push_back(read_inverse_bind(model.file, skin));
+    for (const json& node : model.file.json.value("nodes", none))
+        model.instances.push_back(read_instances(model.file, node));
+    return model;
+}
+
+Film::Film(const Model& model, const std::vector<std::size_t>& animations, std::size_t scene)
+    : model_(model), clip_(play(model.file, animations)) {
+    const auto ever_visible = nodes_ever_visible(model.file, clip_);
+    for (const std::size_t node : nodes_of_scene(model.file, scene))
         if (ever_visible[node]) shown_nodes_.push_back(node);
 }
 
 Frame Film::at(double time_s) const {
-    const auto states = nodes_at(file_, clip_, time_s);
+    const auto states = nodes_at(model_.file, clip_, time_s);
     Frame frame;
     for (const std::size_t index : shown_nodes_) {
-        const json& node = file_.json["nodes"][index];
+        const json& node = model_.file.json["nodes"][index];
         if (!node.contains("mesh")) continue;
         const NodeState& state = states[index];
         std::vector<Matrix> joints;
         if (node.contains("skin")) {
             const std::size_t skin = node["skin"];
-            for (const json& joint : file_.json["skins"][skin]["joints"])
+            for (const json& joint : model_.file.json["skins"][skin]["joints"])
                 joints.push_back(states.at(joint.get<std::size_t>()).world *
-                                 inverse_bind_[skin][joints.size()]);
+                                 model_.inverse_bind[skin][joints.size()]);
         }
-        for (const Matrix& instance : instances_[index])
-            for (const Primitive& primitive : meshes_.at(node["mesh"].get<std::size_t>()))
+        for (const Matrix& instance : model_.instances[index])
+            for (const Primitive& primitive : model_.meshes.at(node["mesh"].get<std::size_t>()))
                 append(primitive, state.weights, state.world * instance, joints, state.visible, frame);
     }
     return frame;

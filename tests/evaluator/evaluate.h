@@ -11,6 +11,7 @@
 #include "primitives.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <vector>
 
 namespace gridreel::evaluator {
@@ -21,10 +22,22 @@ struct Frame {
     std::vector<Triangle> triangles;
 };
 
-/// One scene of a file with what plays in it.
+/// What of a file does not change with time, read once.
+struct Model {
+    File file;
+    std::vector<std::vector<Primitive>> meshes;
+    std::vector<std::vector<Matrix>> inverse_bind;  ///< per skin, one per joint
+    std::vector<std::vector<Matrix>> instances;     ///< per node; one identity where it has none of its own
+};
+
+/// @throws std::exception as `read_file` does, and for compressed meshes
+[[nodiscard]] Model read_model(const std::filesystem::path& path);
+
+/// One scene of a model with what plays in it.
 class Film {
 public:
-    Film(File file, const std::vector<std::size_t>& animations, std::size_t scene);
+    /// @param model  outlives the film
+    Film(const Model& model, const std::vector<std::size_t>& animations, std::size_t scene);
 
     /// Nodes that are hidden at that time have vertices, but no triangles; those that the clip never shows
     /// have neither.
@@ -33,12 +46,9 @@ public:
     [[nodiscard]] const Clip& clip() const { return clip_; }
 
 private:
-    File file_;
+    const Model& model_;
     Clip clip_;
-    std::vector<std::vector<Primitive>> meshes_;
-    std::vector<std::vector<Matrix>> inverse_bind_;  ///< per skin
-    std::vector<std::vector<Matrix>> instances_;     ///< per node; one identity where it has none of its own
-    std::vector<std::size_t> shown_nodes_;           ///< in order
+    std::vector<std::size_t> shown_nodes_;  ///< in order
 };
 
 }  // namespace gridreel::evaluator

@@ -7,33 +7,23 @@
 namespace gridreel::evaluator {
 namespace {
 
-std::vector<double> normalised(std::span<const double> quaternion) {
-    double square = 0;
-    for (const double q : quaternion) square += q * q;
-    std::vector<double> unit;
-    for (const double q : quaternion) unit.push_back(q / std::sqrt(square));
-    return unit;
-}
-
 std::vector<double> sum(double a, std::span<const double> v, double b, std::span<const double> w) {
     std::vector<double> result;
     for (std::size_t i = 0; i < v.size(); ++i) result.push_back(a * v[i] + b * w[i]);
     return result;
 }
 
-std::vector<double> slerp(std::span<const double> from, std::span<const double> to, double t) {
-    // Section C.4 speaks of unit quaternions. Those of the file are only nearly so (single precision, or
-    // integers of 8 or 16 bits), and the angle between them is that of their directions.
-    const std::vector<double> v = normalised(from), w = normalised(to);
+/// Section C.4 to the letter: with the keys as they stand in the file, also where these are unit quaternions
+/// only to a few digits.
+std::vector<double> slerp(std::span<const double> v, std::span<const double> w, double t) {
     double dot = 0;
     for (std::size_t i = 0; i < 4; ++i) dot += v[i] * w[i];
-    const double angle = std::acos(std::min(std::abs(dot), 1.0));
-    const double sign = dot < 0 ? -1.0 : 1.0;
+    const double a = std::acos(std::min(std::abs(dot), 1.0));
+    const double s = dot < 0 ? -1.0 : 1.0;
     // "When a is close to zero, spherical linear interpolation turns into regular linear interpolation":
     // below 1e-6 they differ by less than 1e-12.
-    if (angle < 1e-6) return sum(1 - t, v, sign * t, w);
-    return sum(std::sin(angle * (1 - t)) / std::sin(angle), v, sign * std::sin(angle * t) / std::sin(angle),
-               w);
+    if (a < 1e-6) return sum(1 - t, v, s * t, w);
+    return sum(std::sin(a * (1 - t)) / std::sin(a), v, s * std::sin(a * t) / std::sin(a), w);
 }
 
 }  // namespace

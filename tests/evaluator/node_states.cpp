@@ -16,6 +16,13 @@ using Values = std::map<std::string, std::vector<double>>;
 
 constexpr auto visibility = "/extensions/KHR_node_visibility/visible";
 
+/// The array `name` of an object, empty where it has none.
+const json& array_of(const json& object, const char* name) {
+    static const json none = json::array();
+    const auto found = object.find(name);
+    return found != object.end() ? *found : none;
+}
+
 Values values_at(const Clip& clip, double time_s) {
     Values values;
     for (const Channel& channel : clip.channels) values[channel.pointer] = sample(channel.keys, time_s);
@@ -52,7 +59,7 @@ std::vector<double> morph_weights(const File& file, const json& node, const std:
     if (!node.contains("mesh")) return {};
     const std::size_t index = node["mesh"];
     const json& mesh = file.json.at("meshes").at(index);
-    const std::size_t count = mesh.at("primitives").at(0).value("targets", json::array()).size();
+    const std::size_t count = array_of(mesh.at("primitives").at(0), "targets").size();
     const std::string own = place + "/weights";
     const bool animated = std::any_of(values.begin(), values.end(),
                                       [&](const auto& value) { return value.first.starts_with(own); });
@@ -80,8 +87,7 @@ bool is_visible(const json& node, const std::string& place, const Values& values
 std::vector<std::size_t> roots(const json& nodes) {
     std::set<std::size_t> children;
     for (const json& node : nodes)
-        for (const json& child : node.value("children", json::array()))
-            children.insert(child.get<std::size_t>());
+        for (const json& child : array_of(node, "children")) children.insert(child.get<std::size_t>());
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < nodes.size(); ++i)
         if (!children.contains(i)) result.push_back(i);
@@ -91,7 +97,7 @@ std::vector<std::size_t> roots(const json& nodes) {
 }  // namespace
 
 std::vector<NodeState> nodes_at(const File& file, const Clip& clip, double time_s) {
-    const json nodes = file.json.value("nodes", json::array());
+    const json& nodes = array_of(file.json, "nodes");
     const Values values = values_at(clip, time_s);
     std::vector<NodeState> states(nodes.size());
     const std::function<void(std::size_t, const Matrix&, bool)> visit =
@@ -102,7 +108,7 @@ std::vector<NodeState> nodes_at(const File& file, const Clip& clip, double time_
             state.world = above * local_matrix(node, place, values);
             state.visible = visible_above && is_visible(node, place, values);
             state.weights = morph_weights(file, node, place, values);
-            for (const json& child : node.value("children", json::array()))
+            for (const json& child : array_of(node, "children"))
                 visit(child.get<std::size_t>(), state.world, state.visible);
         };
     for (const std::size_t root : roots(nodes)) visit(root, identity, true);
@@ -118,7 +124,7 @@ std::vector<bool> nodes_ever_visible(const File& file, const Clip& clip) {
         switches.channels.push_back(channel);
         times_s.insert(channel.keys.times_s.begin(), channel.keys.times_s.end());
     }
-    std::vector<bool> ever(file.json.value("nodes", json::array()).size(), false);
+    std::vector<bool> ever(array_of(file.json, "nodes").size(), false);
     for (const double time_s : times_s) {
         const auto states = nodes_at(file, switches, time_s);
         for (std::size_t i = 0; i < ever.size(); ++i) ever[i] = ever[i] || states[i].visible;
@@ -127,7 +133,7 @@ std::vector<bool> nodes_ever_visible(const File& file, const Clip& clip) {
 }
 
 std::vector<std::size_t> nodes_of_scene(const File& file, std::size_t scene) {
-    const json nodes = file.json.value("nodes", json::array());
+    const json& nodes = array_of(file.json, "nodes");
     const std::vector<std::size_t> tops =
         file.json.contains("scenes")
             ? file.json["scenes"].at(scene).value("nodes", std::vector<std::size_t>{})
@@ -135,8 +141,7 @@ std::vector<std::size_t> nodes_of_scene(const File& file, std::size_t scene) {
     std::vector<std::size_t> order;
     const std::function<void(std::size_t)> visit = [&](std::size_t index) {
         order.push_back(index);
-        for (const json& child : nodes.at(index).value("children", json::array()))
-            visit(child.get<std::size_t>());
+        for (const json& child : array_of(nodes.at(index), "children")) visit(child.get<std::size_t>());
     };
     for (const std::size_t top : tops) visit(top);
     return order;
