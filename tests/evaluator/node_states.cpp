@@ -116,19 +116,23 @@ std::vector<NodeState> nodes_at(const File& file, const Clip& clip, double time_
 }
 
 std::vector<bool> nodes_ever_visible(const File& file, const Clip& clip) {
-    // Visibility changes at its keys only.
-    std::set<double> times_s{0.0};
-    Clip switches;
+    // Visibility steps from key to key.
+    std::map<std::string, bool> ever_set;
     for (const Channel& channel : clip.channels) {
-        if (!channel.pointer.ends_with(visibility)) continue;
-        switches.channels.push_back(channel);
-        times_s.insert(channel.keys.times_s.begin(), channel.keys.times_s.end());
+        const auto is_set = [](double value) { return value != 0; };
+        if (channel.pointer.ends_with(visibility))
+            ever_set[channel.pointer] =
+                std::any_of(channel.keys.values.begin(), channel.keys.values.end(), is_set);
     }
-    std::vector<bool> ever(array_of(file.json, "nodes").size(), false);
-    for (const double time_s : times_s) {
-        const auto states = nodes_at(file, switches, time_s);
-        for (std::size_t i = 0; i < ever.size(); ++i) ever[i] = ever[i] || states[i].visible;
-    }
+    const json& nodes = array_of(file.json, "nodes");
+    std::vector<bool> ever(nodes.size(), false);
+    const std::function<void(std::size_t)> visit = [&](std::size_t index) {
+        const auto animated = ever_set.find("/nodes/" + std::to_string(index) + visibility);
+        ever[index] = animated != ever_set.end() ? animated->second : is_visible(nodes.at(index), "", {});
+        if (!ever[index]) return;
+        for (const json& child : array_of(nodes.at(index), "children")) visit(child.get<std::size_t>());
+    };
+    for (const std::size_t root : roots(nodes)) visit(root);
     return ever;
 }
 

@@ -19,7 +19,8 @@ struct NodeState {
 /// One per node of the file.
 [[nodiscard]] std::vector<NodeState> nodes_at(const File& file, const Clip& clip, double time_s);
 
-/// One per node of the file: whether it is visible at some time of the clip.
+/// One per node of the file: whether it is set visible at some time of the clip, and so is each node above
+/// it, not necessarily at the same time.
 [[nodiscard]] std::vector<bool> nodes_ever_visible(const File& file, const Clip& clip);
 
 /// The nodes of a scene, depth first in file order.
