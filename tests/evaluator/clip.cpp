@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace gridreel::evaluator {
 namespace {
@@ -29,9 +30,10 @@ Keyframes read_keys(const File& file, const json& sampler, const std::string& po
     return keys;
 }
 
-/// Whether they are one property, or a list and one of its elements.
-bool overlap(const std::string& a, const std::string& b) {
-    return a == b || a.starts_with(b + "/") || b.starts_with(a + "/");
+/// The property that counts where animations meet: all weights of a node are one.
+std::string property_of(const std::string& pointer) {
+    const auto weight = pointer.find("/weights/");
+    return weight == pointer.npos ? pointer : pointer.substr(0, weight) + "/weights";
 }
 
 }  // namespace
@@ -56,17 +58,15 @@ std::vector<std::size_t> animations_by_default(const File& file) {
     std::vector<std::size_t> all(animations.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
 
-    std::vector<std::string> animated;  // by the animations before
+    std::set<std::string> animated;  // by the animations before
     for (const json& animation : animations) {
-        std::vector<std::string> pointers;
+        std::set<std::string> properties;
         for (const json& channel : animation.at("channels")) {
             const std::string pointer = pointer_of(channel.at("target"));
-            if (pointer.empty()) continue;
-            pointers.push_back(pointer);
-            const auto meets = [&](const std::string& other) { return overlap(pointer, other); };
-            if (std::any_of(animated.begin(), animated.end(), meets)) return {0};
+            if (!pointer.empty()) properties.insert(property_of(pointer));
         }
-        animated.insert(animated.end(), pointers.begin(), pointers.end());
+        for (const std::string& property : properties)
+            if (!animated.insert(property).second) return {0};
     }
     return all;
 }

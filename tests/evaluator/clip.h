@@ -25,7 +25,8 @@ struct Clip {
 /// The animations with these numbers, together.
 [[nodiscard]] Clip play(const File& file, const std::vector<std::size_t>& animations);
 
-/// All animations when no two of them animate the same property, else the first (CLI.md, `--animation auto`).
+/// All animations when no two of them animate the same property, else the first, as `--animation auto` does.
+/// The weights of a node are one property.
 [[nodiscard]] std::vector<std::size_t> animations_by_default(const File& file);
 
 }  // namespace gridreel::evaluator
