@@ -11,7 +11,8 @@ namespace gridreel::anim {
 enum class Shown { never, sometimes, always };
 
 /// Over the whole clip, one per node of the file, found without evaluating any time.
-/// A node is hidden wherever one of its ancestors is.
+/// A node is hidden wherever one of its ancestors is. Flags are looked at one by one: a node that is set
+/// visible only while its parent is not counts as shown sometimes.
 [[nodiscard]] std::vector<Shown> shown_in(const Scene& scene, const Clip& clip);
 
 /// Hides what stands below hidden nodes.

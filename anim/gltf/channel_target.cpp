@@ -25,7 +25,8 @@ constexpr std::array families{
     Family{"/materials/", ChannelPath::material},
 };
 
-constexpr std::string_view nodes_prefix = "/nodes/";
+constexpr std::string_view nodes_prefix = "/nodes/", meshes_prefix = "/meshes/";
+constexpr std::string_view weights_prefix = "weights/";
 
 /// "12/translation": an object's number, and the property below it.
 struct Numbered {
@@ -53,14 +54,26 @@ std::size_t count_of(const Place& root, std::string_view prefix) {
     return place ? place->size() : 0;
 }
 
+/// How many morph targets a mesh has.
+std::size_t count_of_targets(const Place& root, std::size_t mesh) {
+    const auto targets = root.at("meshes", mesh).at("primitives", 0).find("targets");
+    return targets ? targets->size() : 0;
+}
+
 std::size_t count_of_weights(const Place& root, std::size_t node, const Place& target) {
     const auto mesh = root.at("nodes", node).find_index("mesh");
-    const auto targets =
-        mesh ? root.at("meshes", *mesh).at("primitives", 0).find("targets") : std::optional<Place>{};
-    if (!targets || targets->size() == 0)
+    const std::size_t count = mesh ? count_of_targets(root, *mesh) : 0;
+    if (count == 0)
         target.refuse(
             fmt::format("morph weights are animated, but node {} has no mesh with morph targets", node));
-    return targets->size();
+    return count;
+}
+
+std::size_t count_of_mesh_weights(const Place& root, std::size_t mesh, const Place& target) {
+    const std::size_t count = count_of_targets(root, mesh);
+    if (count == 0)
+        target.refuse(fmt::format("morph weights are animated, but mesh {} has no morph targets", mesh));
+    return count;
 }
 
 /// A property of a node; nothing for paths that are not known.
@@ -79,24 +92,45 @@ std::optional<ChannelTarget> node_target(std::string_view path, std::size_t node
     return weights;
 }
 
-/// What only pointers reach of a node: visibility and single weights.
-std::optional<ChannelTarget> pointed_node_target(std::string_view property, std::size_t node,
-                                                 const Place& target, const Place& root) {
-    if (property == "extensions/KHR_node_visibility/visible")
-        return ChannelTarget{
-            .path = ChannelPath::visibility, .object = static_cast<Index>(node), .element = "SCALAR"};
-    constexpr std::string_view weights = "weights/";
-    if (!property.starts_with(weights)) return node_target(property, node, target, root);
+/// "weights" or "weights/1" of a node or a mesh that has `count` of them.
+ChannelTarget weights_target(const Numbered& pointed, std::size_t count, const Place& target) {
+    ChannelTarget found{.path = ChannelPath::weights,
+                        .object = static_cast<Index>(pointed.number),
+                        .element = "SCALAR",
+                        .elements_per_key = count};
+    if (pointed.property == "weights") return found;
 
-    const auto weight = parse_number<std::size_t>(property.substr(weights.size()));
-    const std::size_t count = count_of_weights(root, node, target);
+    const auto weight = parse_number<std::size_t>(pointed.property.substr(weights_prefix.size()));
     if (!weight || *weight >= count)
-        target.refuse(
-            fmt::format("\"{}\" is not one of the {} morph weights of node {}", property, count, node));
-    return ChannelTarget{.path = ChannelPath::weight,
-                         .object = static_cast<Index>(node),
-                         .property = static_cast<Index>(*weight),
-                         .element = "SCALAR"};
+        target.refuse(fmt::format("\"{}\" is not one of the {} morph weights", pointed.property, count));
+    found.path = ChannelPath::weight;
+    found.property = static_cast<Index>(*weight);
+    found.elements_per_key = 1;
+    return found;
+}
+
+bool is_about_weights(std::string_view property) {
+    return property == "weights" || property.starts_with(weights_prefix);
+}
+
+/// What pointers reach of a node: more than paths do, visibility and single weights.
+std::optional<ChannelTarget> pointed_node_target(const Numbered& pointed, const Place& target,
+                                                 const Place& root) {
+    if (pointed.property == "extensions/KHR_node_visibility/visible")
+        return ChannelTarget{.path = ChannelPath::visibility,
+                             .object = static_cast<Index>(pointed.number),
+                             .element = "SCALAR"};
+    if (is_about_weights(pointed.property))
+        return weights_target(pointed, count_of_weights(root, pointed.number, target), target);
+    return node_target(pointed.property, pointed.number, target, root);
+}
+
+std::optional<ChannelTarget> pointed_mesh_target(const Numbered& pointed, const Place& target,
+                                                 const Place& root) {
+    if (!is_about_weights(pointed.property)) return {};
+    auto found = weights_target(pointed, count_of_mesh_weights(root, pointed.number, target), target);
+    found.of_mesh = true;
+    return found;
 }
 
 template <class Object>
@@ -142,7 +176,9 @@ ResolvedTarget resolve_pointer(const Place& pointer, const Place& target, const 
 
     std::optional<ChannelTarget> found;
     if (const auto pointed = match(pointer, nodes_prefix, root))
-        found = pointed_node_target(pointed->property, pointed->number, target, root);
+        found = pointed_node_target(*pointed, target, root);
+    if (const auto pointed = match(pointer, meshes_prefix, root))
+        found = pointed_mesh_target(*pointed, target, root);
     for (const Family& family : families)
         if (const auto pointed = match(pointer, family.prefix, root))
             found = find_property(*pointed, family.path);

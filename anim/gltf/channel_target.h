@@ -20,6 +20,8 @@ struct ChannelTarget {
     std::string_view element;  ///< of the key values: "VEC3"
     std::size_t elements_per_key = 1;
     bool by_pointer = false;  ///< such keys may be integers of any kind
+    /// `object` is a mesh: the channel drives every node that has the mesh and states no weights of its own.
+    bool of_mesh = false;
 };
 
 /// A channel's target: the property that it drives, or why it drives nothing that is drawn.

@@ -70,9 +70,21 @@ Sampler read_sampler(Document& document, const Place& place) {
 /// The channels of one animation as they are read: what they drive, and what there is to warn of.
 struct Channels {
     std::map<std::size_t, Index> kept;  ///< the file's sampler -> ours
-    std::set<std::tuple<ChannelPath, Index, Index>> driven;
+    std::set<std::tuple<bool, ChannelPath, Index, Index>> driven;
+    std::vector<Channel> of_meshes;  ///< one for each node that takes its weights from a mesh
     std::set<std::string> ignored, repeated, blended_flags;
 };
+
+/// The nodes that have a mesh and state no weights of their own (section 3.7.4).
+std::vector<Index> nodes_weighted_by(Document& document, Index mesh) {
+    std::vector<Index> nodes;
+    const auto places = document.all("nodes");
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Place& node = places[i];
+        if (node.find_index("mesh") == mesh && !node.find("weights")) nodes.push_back(static_cast<Index>(i));
+    }
+    return nodes;
+}
 
 void read_channel(Document& document, const Place& channel, const Place& samplers, Channels& channels,
                   Animation& animation) {
@@ -88,12 +100,18 @@ void read_channel(Document& document, const Place& channel, const Place& sampler
     if (is_new) animation.samplers.push_back(read_sampler(document, samplers[sampler]));
     if (target.path == ChannelPath::rotation)
         check_rotations(animation.samplers[entry->second], samplers[sampler].at("output"));
-    animation.channels.push_back({.object = target.object,
-                                  .path = target.path,
-                                  .property = target.property,
-                                  .sampler = entry->second});
+    const Channel driving{
+        .object = target.object, .path = target.path, .property = target.property, .sampler = entry->second};
+    if (target.of_mesh) {
+        for (const Index node : nodes_weighted_by(document, target.object)) {
+            channels.of_meshes.push_back(driving);
+            channels.of_meshes.back().object = node;
+        }
+    } else {
+        animation.channels.push_back(driving);
+    }
 
-    if (!channels.driven.emplace(target.path, target.object, target.property).second)
+    if (!channels.driven.emplace(target.of_mesh, target.path, target.object, target.property).second)
         channels.repeated.insert(target_name(place));
     if (target.path == ChannelPath::visibility &&
         animation.samplers[entry->second].interpolation != Interpolation::step)
@@ -107,6 +125,9 @@ Animation read_animation(Document& document, const Place& place) {
     const Place list = place.at("channels");
     for (std::size_t i = 0; i < list.size(); ++i)
         read_channel(document, list[i], place.at("samplers"), channels, animation);
+    // First, so that what drives a node itself counts.
+    animation.channels.insert(animation.channels.begin(), channels.of_meshes.begin(),
+                              channels.of_meshes.end());
 
     if (!channels.ignored.empty())
         document.warn(place,

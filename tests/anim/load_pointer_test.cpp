@@ -72,6 +72,28 @@ TEST_CASE("a pointer drives all weights of a node or one of them", "[load][point
           std::vector<float>{0.0f, 2.0f});
 }
 
+TEST_CASE("a pointer to a mesh's weights drives the nodes that state none", "[load][pointer]") {
+    auto file = pointing("/meshes/0/weights", {0, 0, 1, 3}, "SCALAR");
+    file.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"weights", {7, 8}}}, {{"mesh", 0}}};
+    const auto pose = posed(file, 1.0);
+    CHECK(pose.weights[0] == std::vector<float>{0.5f, 1.5f});
+    CHECK(pose.weights[1] == std::vector<float>{7.0f, 8.0f});
+    CHECK(pose.weights[2] == std::vector<float>{0.5f, 1.5f});
+
+    // What drives a node itself wins, wherever its channel stands.
+    file.json["animations"][0]["channels"].insert(file.json["animations"][0]["channels"].begin(),
+                                                  channel_to("/nodes/2/weights", 1));
+    const auto input = file.add_scalars({0}), output = file.add_scalars({5, 6});
+    file.json["animations"][0]["samplers"].push_back({{"input", input}, {"output", output}});
+    CHECK(posed(file, 1.0).weights[2] == std::vector<float>{5.0f, 6.0f});
+    CHECK(file.load().warnings.empty());
+}
+
+TEST_CASE("a pointer drives one weight of a mesh", "[load][pointer]") {
+    CHECK(posed(pointing("/meshes/0/weights/1", {0, 4}, "SCALAR"), 1.0).weights[0] ==
+          std::vector<float>{0.0f, 2.0f});
+}
+
 TEST_CASE("a pointer drives values of cameras and lights", "[load][pointer]") {
     const auto camera = [](const std::string& property, float from, float to, int index = 0) {
         const auto pointer = "/cameras/" + std::to_string(index) + "/" + property;
@@ -192,7 +214,7 @@ TEST_CASE("key values by pointer may be integers", "[load][pointer]") {
 
 TEST_CASE("pointers to what is not supported are named in a warning and play nothing", "[load][pointer]") {
     for (const std::string pointer : {"/materials/0/extensions/KHR_materials_iridescence/iridescenceIor",
-                                      "/meshes/0/weights", "/nodes/0/extras/glow", "/scenes/0/name"}) {
+                                      "/meshes/0/extras", "/nodes/0/extras/glow", "/scenes/0/name"}) {
         CAPTURE(pointer);
         const auto scene = pointing(pointer, {0, 1}, "SCALAR").load();
         CHECK(scene.animations[0].channels.empty());
@@ -211,6 +233,8 @@ TEST_CASE("pointers that lead nowhere are refused", "[load][pointer]") {
         {"/cameras/2/perspective/yfov", "has 2 of these"},
         {"/extensions/KHR_lights_punctual/lights/1/intensity", "has 1 of these"},
         {"/nodes/0/weights/2", "not one of the 2 morph weights"},
+        {"/meshes/0/weights/2", "not one of the 2 morph weights"},
+        {"/meshes/1/weights", "has 1 of these"},
         {"nodes/0/translation", "is not a JSON pointer"},
         {"", "is not a JSON pointer"},
     };
