@@ -232,8 +232,9 @@ private:
                 return "scale";
             case anim::ChannelPath::weights:
                 return "weights";
+            default:
+                throw std::logic_error("channels of a crowd move it");
         }
-        throw std::logic_error("no such path");
     }
 
     /// A camera that sees about the whole crowd, and two lights.
