@@ -201,6 +201,7 @@ struct Scene {
     Index default_scene = 0;
     std::vector<std::string> extensions_used;
     std::vector<std::string> extensions_required;
+    std::vector<std::string> extensions_supported;  ///< of those used: the ones that pictures show in full
     std::vector<Warning> warnings;
 };
 

@@ -78,6 +78,7 @@ SceneInfo inspect(const Take& take) {
     info.images = scene.images.size();
     info.extensions_used = scene.extensions_used;
     info.extensions_required = scene.extensions_required;
+    info.extensions_supported = scene.extensions_supported;
     info.warnings = scene.warnings;
     for (anim::Index i = 0; i < scene.animations.size(); ++i) {
         const double duration_s = duration_of(scene.animations[i]);

@@ -50,6 +50,7 @@ struct SceneInfo {
     std::optional<anim::Index> variant;  ///< the one shown; absent: the materials' own
     std::vector<std::string> extensions_used;
     std::vector<std::string> extensions_required;
+    std::vector<std::string> extensions_supported;  ///< of those used
     std::vector<anim::Warning> warnings;
     engine::RenderSettings settings;  ///< that `memory` is for: the defaults
     int threads = 1;                  ///< likewise: all that this process may use

@@ -119,8 +119,11 @@ std::string to_text(const SceneInfo& info) {
         line(page, i == 0 ? "variants" : "", "{} {}{}", i, label(info.variants[i], i),
              info.variant == i ? ", shown" : "");
     }
-    line(page, "extensions", "used {}; required {}", names(info.extensions_used),
-         names(info.extensions_required));
+    line(page, "extensions", "used {}", names(info.extensions_used));
+    if (!info.extensions_used.empty()) {
+        line(page, "", "required {}", names(info.extensions_required));
+        line(page, "", "supported {}", names(info.extensions_supported));
+    }
     memory_line(page, info);
     for (const anim::Warning& warning : info.warnings)
         line(page, "warning", "{}: {}", warning.where, warning.text);
@@ -164,6 +167,7 @@ std::string to_json_text(const SceneInfo& info) {
                     {"variant", info.variant ? Json(*info.variant) : Json()},
                     {"extensions_used", info.extensions_used},
                     {"extensions_required", info.extensions_required},
+                    {"extensions_supported", info.extensions_supported},
                     {"memory_estimate", memory_json(info)},
                     {"warnings", std::move(warnings)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

@@ -1,5 +1,7 @@
 #include "anim/gltf/describe_scene.h"
 
+#include "anim/gltf/extensions.h"
+
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
 #include <tiny_gltf.h>
@@ -200,6 +202,11 @@ Scene describe_scene(Document& document) {
         scene.variants.push_back(variant.at("name").text());
     scene.extensions_used = names_in(document, "extensionsUsed");
     scene.extensions_required = names_in(document, "extensionsRequired");
+    for (const std::string& name : scene.extensions_used) {
+        const Extension* const extension = find_extension(name);
+        if (extension && extension->treatment == Treatment::honoured)
+            scene.extensions_supported.push_back(name);
+    }
     return scene;
 }
 

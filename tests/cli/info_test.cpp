@@ -47,6 +47,22 @@ TEST_CASE("info says what a scene holds, for scripts", "[cli][info]") {
     CHECK(memory["assumed"]["size"] == json{1280, 720});
 }
 
+TEST_CASE("info says which extensions pictures show", "[cli][info]") {
+    const ScratchFolder folder;
+    std::string scene = bytes_of(write_tiny_scene(folder.path()));
+    scene.insert(scene.rfind('}'), R"(, "extensionsUsed": ["KHR_materials_unlit", "KHR_materials_ior", "X_y"],
+                                       "extensionsRequired": ["KHR_materials_unlit"])");
+    write_file(folder.path() / "tiny.gltf", scene);
+
+    const std::string page = run_gridreel({"info", "tiny.gltf"}, {.folder = folder.path()}).out;
+    CHECK(page.find("used KHR_materials_unlit, KHR_materials_ior, X_y\n") != page.npos);
+    CHECK(page.find("required KHR_materials_unlit\n") != page.npos);
+    CHECK(page.find("supported KHR_materials_unlit\n") != page.npos);
+    const json info =
+        json::parse(run_gridreel({"info", "tiny.gltf", "--json"}, {.folder = folder.path()}).out);
+    CHECK(info["extensions_supported"] == json{"KHR_materials_unlit"});
+}
+
 TEST_CASE("info says what a scene holds, for people", "[cli][info]") {
     const ScratchFolder folder;
     write_tiny_scene(folder.path());
@@ -54,7 +70,7 @@ TEST_CASE("info says what a scene holds, for people", "[cli][info]") {
     REQUIRE(outcome.exit_code == 0);
     for (const char* text : {"0 Slide: 1 s, frames 0-24 at 24 fps, plays", "0 Cam (perspective)",
                              "1 moving, 1 still, 6 vertices", "(0, 0, -1) to (3, 1, 0) m", "Red",
-                             "used none; required none", "MiB to render 1280x720: program"}) {
+                             "extensions  used none\n", "MiB to render 1280x720: program"}) {
         INFO(text);
         CHECK(outcome.out.find(text) != std::string::npos);
     }
