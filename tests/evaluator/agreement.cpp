@@ -61,7 +61,7 @@ std::vector<double> times_to_try(const evaluator::Clip& clip) {
 
     // Past the end, then from the middle outwards: never the order in which a clip plays.
     std::vector<double> times{clip.end_s + 1.0, 0.0, clip.end_s, -0.5};
-    for (const std::size_t quarter : {2, 3, 0, 1}) {
+    for (const std::size_t quarter : {2u, 3u, 0u, 1u}) {
         const std::size_t key = quarter * (keys.size() - 1) / 4, next = std::min(key + 1, keys.size() - 1);
         times.push_back(keys[key]);
         times.push_back(keys[key] + (0.2 + 0.15 * double(quarter)) * (keys[next] - keys[key]));
@@ -117,10 +117,10 @@ void check_frame(const evaluator::Frame& expected, std::span<const glm::vec3> po
     CHECK(same == expected.triangles.size());
 }
 
-std::size_t check_agreement(const std::filesystem::path& path) {
-    CAPTURE(path);
-    const anim::Scene scene = anim::load(path);
-    const evaluator::Model model = evaluator::read_model(path);
+std::size_t check_agreement(const std::filesystem::path& file) {
+    CAPTURE(file);
+    const anim::Scene scene = anim::load(file);
+    const evaluator::Model model = evaluator::read_model(file);
     CHECK(scene.default_scene == evaluator::default_scene(model.file));
 
     std::size_t compared = 0;
