@@ -56,20 +56,23 @@ function load(file) {
 }
 
 /// World-space vertices of everything made of triangles, in the order of `gridreel bake`; x, y, z in turn.
-function vertices_of(scene) {
+function vertices_of({ scene, parser }) {
   scene.updateMatrixWorld(true);
   const vertices = [], point = new THREE.Vector3(), instance = new THREE.Matrix4();
   const emit = (mesh, index) => {
-    for (let i = 0; i < mesh.geometry.attributes.position.count; ++i) {
+    for (let i = 0; i < (mesh.geometry.attributes.position?.count ?? 0); ++i) {
       mesh.getVertexPosition(i, point);
       if (index !== undefined) point.applyMatrix4(instance);
       point.applyMatrix4(mesh.matrixWorld);
       vertices.push(point.x, point.y, point.z);
     }
   };
+  const is_node = (object) => parser.associations.get(object)?.nodes !== undefined;
   const visit = (object) => {
-    // Primitives of an instanced mesh are siblings; each instance shows all of them.
-    const instanced = (object.isInstancedMesh ? [object] : object.children).filter((part) => part.isInstancedMesh);
+    // The primitives of an instanced mesh are siblings that are no nodes; each instance shows all of them.
+    const instanced = object.isInstancedMesh
+      ? [object]
+      : object.children.filter((part) => part.isInstancedMesh && !is_node(part));
     const shown = new Set(instanced);
     for (let index = 0; index < (instanced[0]?.count ?? 0); ++index) {
       for (const mesh of instanced) {
@@ -135,7 +138,7 @@ function compare(file, gltf, animation) {
         action.play();
         mixer.setTime(frame / fps);
       }
-      const size = difference(read_ply(join(out, name)), vertices_of(gltf.scene));
+      const size = difference(read_ply(join(out, name)), vertices_of(gltf));
       if (typeof size === 'string') return { size, frame };
       if (!(size <= worst.size)) worst = { size, frame };
     }
@@ -163,7 +166,8 @@ async function worst_of(file) {
       if (rank(found.size) > rank(worst.size)) worst = { ...found, animation: count > 0 ? animation : '-' };
     }
   } catch (error) {
-    return { size: `gridreel refuses it: ${error.stderr?.toString().trim().split('\n')[0] ?? error.message}` };
+    if (error.stderr === undefined) throw error;
+    return { size: error.stderr.toString().trim().split('\n')[0] };
   }
   return worst;
 }

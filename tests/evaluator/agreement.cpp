@@ -3,7 +3,6 @@
 #include "anim/clip.h"
 #include "anim/frame_geometry.h"
 #include "anim/load.h"
-#include "evaluate.h"
 
 #include <catch2/catch.hpp>
 
@@ -11,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,7 +41,7 @@ struct Worst {
     std::size_t vertex = 0;
 };
 
-Worst compare(const std::vector<evaluator::Vec3>& expected, const std::vector<glm::vec3>& found) {
+Worst compare(std::span<const evaluator::Vec3> expected, std::span<const glm::vec3> found) {
     Worst worst;
     for (std::size_t i = 0; i < expected.size(); ++i) {
         const double d = distance(expected[i], found[i]);
@@ -50,33 +50,6 @@ Worst compare(const std::vector<evaluator::Vec3>& expected, const std::vector<gl
         if (std::isnan(d)) break;
     }
     return worst;
-}
-
-void check_frame(const evaluator::Frame& expected, const anim::FrameGeometry& found) {
-    REQUIRE(found.positions.size() == expected.positions.size());
-    REQUIRE(found.normals.size() == expected.normals.size());
-    REQUIRE(found.triangles.size() == expected.triangles.size());
-    const Worst place = compare(expected.positions, found.positions);
-    const double size = diagonal(expected);
-    if (!(place.distance <= position_tolerance * size)) {
-        const auto& e = expected.positions[place.vertex];
-        const auto& f = found.positions[place.vertex];
-        CAPTURE(place.vertex, place.distance / size, e[0], e[1], e[2], f.x, f.y, f.z);
-        CHECK(place.distance <= position_tolerance * size);
-    }
-    const Worst normal = compare(expected.normals, found.normals);
-    if (!(normal.distance <= normal_tolerance)) {
-        const auto& e = expected.normals[normal.vertex];
-        const auto& f = found.normals[normal.vertex];
-        CAPTURE(normal.vertex, e[0], e[1], e[2], f.x, f.y, f.z);
-        CHECK(normal.distance <= normal_tolerance);
-    }
-    std::size_t same = 0;
-    for (std::size_t i = 0; i < expected.triangles.size(); ++i) {
-        const auto& [a, b, c] = expected.triangles[i];
-        if (found.triangles[i] == glm::uvec3(a, b, c)) ++same;
-    }
-    CHECK(same == expected.triangles.size());
 }
 
 std::vector<double> times_to_try(const evaluator::Clip& clip) {
@@ -88,7 +61,7 @@ std::vector<double> times_to_try(const evaluator::Clip& clip) {
 
     // Past the end, then from the middle outwards: never the order in which a clip plays.
     std::vector<double> times{clip.end_s + 1.0, 0.0, clip.end_s, -0.5};
-    for (const std::size_t quarter : {2, 3, 0, 1}) {
+    for (const std::size_t quarter : {2u, 3u, 0u, 1u}) {
         const std::size_t key = quarter * (keys.size() - 1) / 4, next = std::min(key + 1, keys.size() - 1);
         times.push_back(keys[key]);
         times.push_back(keys[key] + (0.2 + 0.15 * double(quarter)) * (keys[next] - keys[key]));
@@ -109,17 +82,45 @@ std::size_t check_clip(const anim::Scene& scene, const evaluator::Model& model, 
     for (const double time_s : times) {
         CAPTURE(time_s);
         anim::deform(scene, anim::pose(scene, clip, time_s), geometry);
-        check_frame(film.at(time_s), geometry);
+        check_frame(film.at(time_s), geometry.positions, geometry.normals, geometry.triangles);
     }
     return times.size();
 }
 
 }  // namespace
 
-std::size_t check_agreement(const std::filesystem::path& path) {
-    CAPTURE(path);
-    const anim::Scene scene = anim::load(path);
-    const evaluator::Model model = evaluator::read_model(path);
+void check_frame(const evaluator::Frame& expected, std::span<const glm::vec3> positions,
+                 std::span<const glm::vec3> normals, std::span<const glm::uvec3> triangles) {
+    REQUIRE(positions.size() == expected.positions.size());
+    REQUIRE(normals.size() == expected.normals.size());
+    REQUIRE(triangles.size() == expected.triangles.size());
+    const Worst place = compare(expected.positions, positions);
+    const double size = diagonal(expected);
+    if (!(place.distance <= position_tolerance * size)) {
+        const auto& e = expected.positions[place.vertex];
+        const auto& f = positions[place.vertex];
+        CAPTURE(place.vertex, place.distance / size, e[0], e[1], e[2], f.x, f.y, f.z);
+        CHECK(place.distance <= position_tolerance * size);
+    }
+    const Worst normal = compare(expected.normals, normals);
+    if (!(normal.distance <= normal_tolerance)) {
+        const auto& e = expected.normals[normal.vertex];
+        const auto& f = normals[normal.vertex];
+        CAPTURE(normal.vertex, e[0], e[1], e[2], f.x, f.y, f.z);
+        CHECK(normal.distance <= normal_tolerance);
+    }
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < expected.triangles.size(); ++i) {
+        const auto& [a, b, c] = expected.triangles[i];
+        if (triangles[i] == glm::uvec3(a, b, c)) ++same;
+    }
+    CHECK(same == expected.triangles.size());
+}
+
+std::size_t check_agreement(const std::filesystem::path& file) {
+    CAPTURE(file);
+    const anim::Scene scene = anim::load(file);
+    const evaluator::Model model = evaluator::read_model(file);
     CHECK(scene.default_scene == evaluator::default_scene(model.file));
 
     std::size_t compared = 0;

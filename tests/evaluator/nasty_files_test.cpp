@@ -70,6 +70,9 @@ TEST_CASE("morph weights come from the node, else from the mesh, animated or not
     SECTION("one weight of a node") {
         animate(file, pointer("/nodes/1/weights/1"), file.add_scalars({0, 1, -1}));
     }
+    SECTION("one weight of a node that states none: the other is the mesh's") {
+        animate(file, pointer("/nodes/0/weights/1"), file.add_scalars({0, 1, -1}));
+    }
     SECTION("the weights of the mesh, which move the first node only") {
         animate(file, pointer("/meshes/0/weights"), file.add_scalars({0, 1, 1, 0, -1, 2}));
     }
@@ -95,6 +98,25 @@ TEST_CASE("pointers may lead to integers that are not fractions", "[evaluator]")
     animate(file, pointer("/nodes/0/translation"), file.add_accessor(moves, test::int8, "VEC3", 3));
     const std::vector<std::uint16_t> stretches{1, 2, 3, 4, 5, 6, 7, 8, 300};
     animate(file, pointer("/nodes/0/scale"), file.add_accessor(stretches, test::uint16, "VEC3", 3));
+    check(file);
+}
+
+TEST_CASE("the lowest signed integer stands for -1, as the one above it does", "[evaluator]") {
+    auto file = test::one_triangle();
+    file.json["extensionsUsed"] = file.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+    std::size_t positions = 0;
+    SECTION("bytes") {
+        const std::vector<std::int8_t> bytes{-128, -127, 0, 0, 127, -128, 0, 0, -128, 0, 64, 0};
+        positions = file.add_accessor(bytes, test::int8, "VEC3", 3);
+        file.json["bufferViews"].back()["byteStride"] = 4;
+    }
+    SECTION("shorts") {
+        const std::vector<std::int16_t> shorts{-32768, -32767, 0, 0, 32767, -32768, 0, 0, -32768, 0, 9, 0};
+        positions = file.add_accessor(shorts, test::int16, "VEC3", 3);
+        file.json["bufferViews"].back()["byteStride"] = 8;
+    }
+    file.json["accessors"][positions]["normalized"] = true;
+    file.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = positions;
     check(file);
 }
 

@@ -160,7 +160,8 @@ void add_nodes(GltfBuilder& file, Chance& chance, const Plan& plan) {
             const std::size_t mesh =
                 index < plan.meshes ? index : std::size_t(chance.whole(0, int(plan.meshes) - 1));
             node["mesh"] = mesh;
-            if (mesh == 0)
+            // Without a skin the joints of a mesh are let be.
+            if (mesh == 0 && !chance.one_in(4))
                 node["skin"] = 0;
             else if (chance.one_in(3))
                 add_instances(file, chance, node);
