@@ -1,7 +1,8 @@
 #include "anim/vertex_transform.h"
 
+#include "anim/skin_kernel.h"
+
 #include <algorithm>
-#include <array>
 
 namespace gridreel::anim {
 namespace {
@@ -14,16 +15,9 @@ glm::vec4 turn(const DirectionMap& map, const glm::vec4& tangent) {
     return {map_tangent(map, glm::vec3{tangent}), tangent.w * map.handedness};
 }
 
-glm::mat3 linear_rows(const AffineRows& rows) {
-    return {glm::vec3{rows[0]}, glm::vec3{rows[1]}, glm::vec3{rows[2]}};
-}
-
-/// A vertex's own map: the weighted sum of its joints'.
-AffineRows blend(std::span<const AffineRows> rows, const std::uint16_t* joints, const float* weights,
-                 std::size_t count) {
-    AffineRows sum = weights[0] * rows[joints[0]];
-    for (std::size_t i = 1; i < count; ++i) sum += weights[i] * rows[joints[i]];
-    return sum;
+DirectionMap directions_of(const SkinBlock& block, std::size_t v) {
+    return direction_map(
+        glm::mat3{glm::vec3{block.rows[0][v]}, glm::vec3{block.rows[1][v]}, glm::vec3{block.rows[2][v]}});
 }
 
 }  // namespace
@@ -36,37 +30,28 @@ void transform_rigid(const Placement& placement, const AffineRows& rows, const V
 
 void transform_skinned(const Placement& placement, std::span<const AffineRows> rows,
                        const Influences& influences, std::size_t first, const VertexSpans& vertices) {
-    // A block's blended maps stay in the first-level cache for the loops over its attributes, none of
-    // which then has to ask which attributes there are.
-    constexpr std::size_t longest_block = 64;
-    std::array<AffineRows, longest_block> blended;
-
+    SkinBlock block;
+    block.has_normals = !vertices.normals.empty();
     const std::size_t per_vertex = influences.per_vertex;
-    const std::size_t total = vertices.positions.size();
-    for (std::size_t begin = 0; begin < total; begin += longest_block) {
-        const std::size_t count = std::min(longest_block, total - begin);
-        const std::uint16_t* joints = influences.joints.data() + (first + begin) * per_vertex;
-        const float* weights = influences.weights.data() + (first + begin) * per_vertex;
-        for (std::size_t v = 0; v < count; ++v) {
-            blended[v] = blend(rows, joints + v * per_vertex, weights + v * per_vertex, per_vertex);
-        }
+    for (std::size_t begin = 0; begin < vertices.positions.size(); begin += SkinBlock::most) {
+        block.count = std::min(SkinBlock::most, vertices.positions.size() - begin);
+        const auto positions = vertices.positions.subspan(begin, block.count);
+        const auto normals =
+            vertices.normals.subspan(block.has_normals ? begin : 0, block.has_normals ? block.count : 0);
+        std::copy(positions.begin(), positions.end(), block.positions.begin());
+        std::copy(normals.begin(), normals.end(), block.normals.begin());
+        skin(rows.data(), influences.joints.data() + (first + begin) * per_vertex,
+             influences.weights.data() + (first + begin) * per_vertex, per_vertex, placement.origin, block);
 
-        const auto positions = vertices.positions.subspan(begin, count);
-        for (std::size_t v = 0; v < count; ++v) {
-            positions[v] = place(placement.origin, blended[v], positions[v]);
+        std::copy_n(block.positions.begin(), block.count, positions.begin());
+        for (std::size_t v = 0; v < normals.size(); ++v) {
+            const bool lost = block.normals[v] == glm::vec3{0.0f};
+            normals[v] = lost ? map_normal(directions_of(block, v), normals[v]) : block.normals[v];
         }
-        if (!vertices.normals.empty()) {
-            const auto normals = vertices.normals.subspan(begin, count);
-            for (std::size_t v = 0; v < count; ++v) {
-                normals[v] = map_normal(direction_map(linear_rows(blended[v])), normals[v]);
-            }
-        }
-        if (!vertices.tangents.empty()) {
-            const auto tangents = vertices.tangents.subspan(begin, count);
-            for (std::size_t v = 0; v < count; ++v) {
-                tangents[v] = turn(direction_map(linear_rows(blended[v])), tangents[v]);
-            }
-        }
+        if (vertices.tangents.empty()) continue;
+        const auto tangents = vertices.tangents.subspan(begin, block.count);
+        for (std::size_t v = 0; v < block.count; ++v)
+            tangents[v] = turn(directions_of(block, v), tangents[v]);
     }
 }
 

@@ -108,7 +108,7 @@ void skin_copy(benchmark::State& state) {
 
 /// A binary glTF of `mebibytes` of positions, normals and indices.
 std::vector<std::byte> large_file(std::size_t mebibytes) {
-    const std::size_t vertices = (mebibytes << 20) / 48;
+    const std::size_t vertices = (mebibytes << 20) / 28;
     const std::size_t attribute = vertices * 12, indices = vertices / 3 * 3 * 4;
     const std::size_t binary = 2 * attribute + indices;
     const auto view = [](std::size_t offset, std::size_t length) {
