@@ -5,12 +5,14 @@
 #include "engine/band.h"
 #include "engine/notes.h"
 #include "engine/shot.h"
+#include "engine/still_triangles.h"
 #include "engine/stopwatch.h"
 #include "engine/textures.h"
 #include "traversal/lambda_chooser.h"
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -35,6 +37,7 @@ struct FrameRenderer::State {
           textures(scene),
           shot(scene, clip, settings),
           geometry(anim::lay_out(scene, clip)),
+          still(find_still(geometry)),
           cut_outs(has_cut_outs(scene, geometry)),
           tracer(traversal::make_tracer(settings.tracer)),
           lambda(traversal::make_lambda_chooser(settings.tracer, shot.camera_ray_count())),
@@ -51,6 +54,7 @@ struct FrameRenderer::State {
 
     // What every frame overwrites.
     anim::FrameGeometry geometry;
+    std::shared_ptr<const rebuild::StillTriangles> still;  ///< of the geometry, in all frames
     bool cut_outs = false;
     std::unique_ptr<traversal::Tracer> tracer;
     std::optional<traversal::LambdaChooser> lambda;
@@ -83,8 +87,8 @@ FrameReport FrameRenderer::render(double time_s, Film& film) {
         s.tracer->set_lambda(choice.lambda);
         report.predicted = choice.predicted;
     }
-    report.rebuild =
-        s.tracer->rebuild({.positions = s.geometry.positions, .triangles = s.geometry.triangles});
+    report.rebuild = s.tracer->rebuild(
+        {.positions = s.geometry.positions, .triangles = s.geometry.triangles, .still = s.still});
 
     // Trace and shade, band by band.
     const Stopwatch making_pixels;

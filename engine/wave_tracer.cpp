@@ -8,6 +8,7 @@
 #include "engine/hit_point.h"
 #include "engine/shadow_rays.h"
 #include "engine/shot.h"
+#include "engine/still_triangles.h"
 #include "engine/stopwatch.h"
 #include "engine/surface.h"
 #include "rebuild/buffer.h"
@@ -36,6 +37,7 @@ struct WaveTracer::State {
           clip(std::move(clip_of_scene)),
           shot(scene, clip, settings),
           geometry(anim::lay_out(scene, clip)),
+          still(find_still(geometry)),
           pose(anim::pose(scene, clip, 0.0)) {}
 
     void trace_primary(traversal::Tracer& tracer, std::span<const Pixel> pixels, const View& view,
@@ -48,6 +50,7 @@ struct WaveTracer::State {
     anim::Clip clip;
     Shot shot;
     anim::FrameGeometry geometry;
+    std::shared_ptr<const rebuild::StillTriangles> still;
     anim::Pose pose;
 
     // One entry per camera ray.
@@ -141,7 +144,9 @@ double WaveTracer::animate(double time_s) {
 }
 
 rebuild::BuildReport WaveTracer::rebuild(traversal::Tracer& tracer) const {
-    return tracer.rebuild({.positions = state_->geometry.positions, .triangles = state_->geometry.triangles});
+    const State& s = *state_;
+    return tracer.rebuild(
+        {.positions = s.geometry.positions, .triangles = s.geometry.triangles, .still = s.still});
 }
 
 WaveReport WaveTracer::trace(traversal::Tracer& tracer, Bounce bounce) {

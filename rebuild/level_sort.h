@@ -4,19 +4,29 @@
 #include "rebuild/cell_mapping.h"
 #include "rebuild/grid.h"
 #include "rebuild/reference_kernel.h"
+#include "rebuild/still_triangles.h"
 #include "rebuild/triangle_view.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace gridreel::rebuild {
 
+/// Lists that need not be found anew: those that this level held last, of a grid with the same cells.
+struct KnownLists {
+    std::size_t first_cell = 0;            ///< of the level as it was
+    const StillTriangles* only = nullptr;  ///< of what they list, only these; nullptr: all
+};
+
 /// One grid to fill.
 struct GridJob {
-    TriangleList triangles;
+    TriangleList triangles;             ///< to find
+    std::optional<KnownLists> known{};  ///< of all other triangles
+    bool nested = false;                ///< and not the top grid
     std::uint64_t reference_limit = 0;
     std::uint64_t references = 0;  ///< counted; above the limit, some number above it
     bool dropped = false;          ///< leave its cells empty
@@ -43,7 +53,8 @@ struct CrowdedCell {
 /// reading them, and how many a triangle has is not to be guessed by a branch.
 ///
 /// Chunks hold ascending triangles and own ascending slots of each cell, so the lists come out the same for
-/// any number of threads.
+/// any number of threads. Known lists are taken over before their memory is written again, counted in a
+/// histogram of their own, and merged with what was found.
 class LevelSort {
 public:
     /// References per triangle that there is room for at first, and how many times what was needed there is
@@ -53,7 +64,8 @@ public:
     static constexpr std::size_t triangles_per_chunk = 1 << 13;  ///< fewer are not worth a histogram
 
     /// Finds and counts the references of every job.
-    /// @param level  its `grids` have bounds and resolutions, one per job; gets `first_cell`s and sizes
+    /// @param level  its `grids` have bounds and resolutions, one per job; gets `first_cell`s. Its lists are
+    ///               left as they are, for jobs that know some of them.
     void count(const TriangleView& triangles, std::span<GridJob> jobs, GridLevel& level);
 
     /// Turns counts into places.
@@ -98,28 +110,41 @@ private:
         std::size_t begin = 0, end = 0;
         std::uint64_t references = 0;
         std::uint32_t first_slot = 0;
-        std::uint64_t occupied = 0;  ///< cells
-        std::size_t crowded = 0;     ///< cells, then how many in pieces before it
+        std::uint64_t occupied = 0;   ///< cells
+        std::size_t crowded = 0;      ///< cells, then how many in pieces before it
+        std::size_t first_known = 0;  ///< of what is taken over
     };
     struct Layout {
         std::size_t first_histogram = 0;
         std::size_t chunks = 0;
+        std::size_t histograms = 0;  ///< one for each chunk, then one for known lists
+        std::size_t cells = 0;
         std::uint64_t references = 0;
         std::uint64_t occupied = 0;       ///< cells
         std::uint64_t crowded_above = 0;  ///< references
     };
     void lay_out(std::span<const GridJob> jobs, GridLevel& level);
     void find(const TriangleView& triangles, const GridJob& job, const UniformGrid& grid, Chunk& chunk);
+    void take_over(const KnownLists& known, const GridLevel& level, Piece& piece);
+    void merge_known(const Piece& piece, GridLevel& level);
+    /// In parallel, every piece of a job that knows some of its lists.
+    template <class Visit>
+    void for_each_known(std::span<const GridJob> jobs, const Visit& visit);
     [[nodiscard]] bool make_room(std::span<const GridJob> jobs);
     void find_limits(const Crowd& least);
     [[nodiscard]] double& room_per_triangle(const GridJob& job);
     [[nodiscard]] ReferenceRoom room_of(const Chunk& chunk);
+    /// One count per cell.
+    [[nodiscard]] std::uint32_t* histogram_of_known(const Layout& layout) {
+        return histograms_.data() + layout.first_histogram + layout.chunks * layout.cells;
+    }
 
     /// References that chunks have room for, in the top grid and in nested ones. Grows on demand.
     std::array<double, 2> room_per_triangle_{first_room, first_room};
     std::vector<Layout> layouts_;  ///< one per job
     std::vector<Chunk> chunks_;
     std::vector<Piece> pieces_;
+    bool any_known_ = false;
     Buffer<std::uint32_t> cells_;       ///< of each chunk's references, in the order of its triangles
     Buffer<std::uint32_t> triangles_;   ///< whose they are
     Buffer<std::uint32_t> histograms_;  ///< of each chunk, one count per cell of its grid
