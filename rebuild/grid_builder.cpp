@@ -137,7 +137,7 @@ BuildReport GridBuilder::rebuild(const TriangleView& triangles) {
     BuildReport report;
     report.lambda = policy_.lambda;
     if (oversized_ == oversized_limit) release();
-    last_frame_.begin(triangles, policy_.lambda, grid_);
+    if (policy_.heed_still) last_frame_.begin(triangles, policy_.lambda, grid_);
     sort_.begin_frame();
     for (GridLevel& level : grid_.levels) level.begin_frame();
 

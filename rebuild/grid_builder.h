@@ -32,6 +32,7 @@ public:
     /// do on average, unless that would list each of them more than 4 max(1, lambda)^(2/3) times.
     ///
     /// @throws std::length_error for 2^31 triangles or more
+    /// @throws std::invalid_argument for `still` of another number of triangles
     BuildReport rebuild(const TriangleView& triangles);
 
     /// Cells per triangle from the next rebuild on.

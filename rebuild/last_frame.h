@@ -38,6 +38,7 @@ public:
     /// puts the references back that the marks of nested grids lie on.
     /// @param grid    as the last frame left it
     /// @param lambda  the next frame's
+    /// @throws std::invalid_argument if what is known is of another number of triangles
     void begin(const TriangleView& triangles, float lambda, Grid& grid);
 
     /// The frame is whole. Of one that never came so far nothing is used.
