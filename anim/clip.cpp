@@ -10,7 +10,7 @@
 #include <numeric>
 #include <set>
 #include <string>
-#include <utility>
+#include <tuple>
 
 namespace gridreel::anim {
 namespace {
@@ -24,12 +24,18 @@ std::string names_of(const std::vector<Animation>& animations) {
     return names;
 }
 
-/// No two animations drive the same property of a node, so all can play together.
+/// No two animations drive the same property, so all can play together.
 bool disjoint(const std::vector<Animation>& animations) {
-    std::set<std::pair<Index, ChannelPath>> taken;
+    using Property = std::tuple<ChannelPath, Index, Index>;
+    std::set<Property> taken;
     for (const Animation& animation : animations) {
-        std::set<std::pair<Index, ChannelPath>> driven;
-        for (const Channel& channel : animation.channels) driven.emplace(channel.node, channel.path);
+        std::set<Property> driven;
+        for (const Channel& channel : animation.channels) {
+            // One weight of a node takes them all.
+            const bool is_weight = channel.path == ChannelPath::weight;
+            driven.emplace(is_weight ? ChannelPath::weights : channel.path, channel.object,
+                           is_weight ? 0 : channel.property);
+        }
         for (const auto& property : driven) {
             if (!taken.insert(property).second) return false;
         }

@@ -1,6 +1,7 @@
 #include "anim/frame_geometry.h"
 #include "anim/morph.h"
 #include "anim/placement.h"
+#include "anim/trs_matrix.h"
 #include "anim/vertex_transform.h"
 
 #include <tbb/parallel_for.h>
@@ -15,6 +16,7 @@ namespace {
 void find_maps(const Scene& scene, const Pose& pose, const Part& part, std::span<glm::dmat4> maps) {
     if (!part.skinned) {
         maps[0] = pose.world[part.node];
+        if (part.instance) maps[0] *= matrix_of(scene.nodes[part.node].instances[*part.instance]);
         return;
     }
     const Skin& skin = scene.skins[*scene.nodes[part.node].skin];
@@ -61,6 +63,14 @@ void deform_run(const Scene& scene, const Pose& pose, const VertexRun& run, Fram
     }
 }
 
+/// Lists the triangles anew when other parts are shown than before.
+void show(const Scene& scene, const Pose& pose, FrameGeometry& geometry) {
+    std::vector<bool>& is_shown = geometry.scratch.is_shown;
+    is_shown.resize(geometry.parts.size());
+    for (std::size_t p = 0; p < is_shown.size(); ++p) is_shown[p] = pose.visible[geometry.parts[p].node];
+    if (is_shown != geometry.is_shown) list_triangles(scene, is_shown, geometry);
+}
+
 }  // namespace
 
 void deform(const Scene& scene, const Pose& pose, FrameGeometry& geometry) {
@@ -81,6 +91,8 @@ void deform(const Scene& scene, const Pose& pose, FrameGeometry& geometry) {
     const std::vector<VertexRun>& runs = geometry.posed ? scratch.moving_runs : scratch.all_runs;
     tbb::parallel_for(std::size_t{0}, runs.size(),
                       [&](std::size_t i) { deform_run(scene, pose, runs[i], geometry); });
+
+    show(scene, pose, geometry);
     geometry.posed = true;
 }
 

@@ -35,6 +35,7 @@ struct DeformScratch {
     std::vector<Placement> placements;   ///< one per part
     std::vector<glm::dmat4> maps;        ///< file space to world
     std::vector<AffineRows> rows;        ///< `maps`, rounded about each part
+    std::vector<bool> is_shown;          ///< one per part
 };
 
 }  // namespace gridreel::anim

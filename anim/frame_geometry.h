@@ -18,16 +18,18 @@
 
 namespace gridreel::anim {
 
-/// One primitive of one node: a run of vertices and triangles in `FrameGeometry`.
+/// One primitive of one node, or of one of its instances: a run of vertices and triangles in `FrameGeometry`.
 struct Part {
     Index node = 0;
     Index mesh = 0;
-    Index primitive = 0;  ///< into `Mesh::primitives`
+    Index primitive = 0;              ///< into `Mesh::primitives`
+    std::optional<Index> instance{};  ///< into `Node::instances`
     std::optional<Index> material;
     std::size_t first_vertex = 0, vertex_count = 0;
-    std::size_t first_triangle = 0, triangle_count = 0;
+    std::size_t first_triangle = 0, triangle_count = 0;  ///< none while it is hidden
     bool skinned = false;  ///< joints place its vertices, and its node's own matrix is ignored
     bool moves = false;    ///< its vertices can differ between two times of the clip
+    bool blinks = false;   ///< is shown at some times of the clip only
     bool smooth = false;   ///< has vertex normals; otherwise shade with the triangle's own
     bool has_tangents = false;
     std::array<bool, 2> has_texcoords{};
@@ -37,8 +39,10 @@ struct Part {
 /// What the file says of the part.
 [[nodiscard]] const Primitive& primitive_of(const Scene& scene, const Part& part);
 
-/// World-space triangles of one pose, all parts one after another: nodes depth first in file order,
-/// primitives in file order, vertices in accessor order. Buffers are laid out once and reused.
+/// World-space triangles of one pose, all parts one after another: nodes depth first in file order, a node's
+/// instances in order, primitives in file order, vertices in accessor order. Parts that are hidden at the
+/// time keep their vertices but have no triangles; those that are never shown are left out. Buffers are laid
+/// out once and reused.
 struct FrameGeometry {
     std::vector<glm::vec3> positions;  ///< world space, metres
     std::vector<glm::vec3> normals;    ///< world space, unit length; zero where a part is not smooth
@@ -52,8 +56,9 @@ struct FrameGeometry {
     /// One per part: its node's matrix (of a skinned part, most of its joints') has a negative
     /// determinant, so the front is where the winding is clockwise.
     std::vector<bool> mirrored;
-    bool posed = false;     ///< `deform` has run once: still parts are in place
-    DeformScratch scratch;  ///< for `deform` alone
+    std::vector<bool> is_shown;  ///< one per part: its triangles are listed
+    bool posed = false;          ///< `deform` has run once: still parts are in place
+    DeformScratch scratch;       ///< for `deform` alone
 
     [[nodiscard]] std::size_t moving_triangles() const;
 };
@@ -61,7 +66,11 @@ struct FrameGeometry {
 /// Lays out the buffers for a clip: topology, texture coordinates, colours. Positions come with `deform`.
 [[nodiscard]] FrameGeometry lay_out(const Scene& scene, const Clip& clip);
 
-/// Writes the world-space vertices of `pose` into `geometry`, in parallel.
+/// Lists the triangles of all parts that `is_shown` for (one flag per part), in the order of parts.
+void list_triangles(const Scene& scene, const std::vector<bool>& is_shown, FrameGeometry& geometry);
+
+/// Writes the world-space vertices of `pose` into `geometry`, in parallel, and the triangles of the parts
+/// that it shows.
 ///
 /// Morph targets before skins before the node's matrix (glTF 2.0, section 3.7.3); a skinned part
 /// ignores its own node's matrix. The first call fills every part, later ones only those that move.

@@ -1,6 +1,7 @@
 #include "anim/error.h"
 #include "anim/frame_geometry.h"
 #include "anim/motion.h"
+#include "anim/visibility.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,7 +13,6 @@ namespace {
 Part part_of(const Primitive& primitive) {
     return {.material = primitive.material,
             .vertex_count = primitive.positions.size(),
-            .triangle_count = primitive.triangles.size(),
             .smooth = !primitive.normals.empty(),
             // Tangents without normals are to be ignored (glTF 2.0, section 3.7.2.1).
             .has_tangents = !primitive.tangents.empty() && !primitive.normals.empty(),
@@ -20,48 +20,61 @@ Part part_of(const Primitive& primitive) {
             .has_colors = !primitive.colors.empty()};
 }
 
-std::vector<Part> list_parts(const Scene& scene, const Clip& clip) {
-    const Motion motion = find_motion(scene, clip);
-    std::vector<Part> parts;
-    std::size_t vertices = 0;
-    std::size_t triangles = 0;
-    for (const Index node : nodes_in_order(scene, clip)) {
-        if (!scene.nodes[node].mesh) continue;
-        const Index mesh = *scene.nodes[node].mesh;
-        const std::vector<Primitive>& primitives = scene.meshes[mesh].primitives;
+/// Part after part, with its place in the frame's buffers.
+class PartList {
+public:
+    PartList(const Scene& scene, const Clip& clip)
+        : scene_(scene), motion_(find_motion(scene, clip)), shown_(shown_in(scene, clip)) {
+        for (const Index node : nodes_in_order(scene, clip)) {
+            if (scene.nodes[node].mesh && shown_[node] != Shown::never) add_node(node);
+        }
+    }
+
+    [[nodiscard]] std::vector<Part>& parts() { return parts_; }
+
+private:
+    void add_node(Index node) {
+        const std::size_t instances = scene_.nodes[node].instances.size();
+        if (instances == 0) add_mesh(node, {});
+        for (Index i = 0; i < instances; ++i) add_mesh(node, i);
+    }
+
+    void add_mesh(Index node, std::optional<Index> instance) {
+        const Index mesh = *scene_.nodes[node].mesh;
+        const std::vector<Primitive>& primitives = scene_.meshes[mesh].primitives;
         for (Index i = 0; i < primitives.size(); ++i) {
             Part part = part_of(primitives[i]);
             part.node = node;
             part.mesh = mesh;
             part.primitive = i;
-            part.first_vertex = vertices;
-            part.first_triangle = triangles;
-            part.skinned = is_skinned(scene.nodes[node], primitives[i]);
-            part.moves = moves(scene, motion, node, primitives[i]);
-            vertices += part.vertex_count;
-            triangles += part.triangle_count;
-            parts.push_back(part);
+            part.instance = instance;
+            part.first_vertex = vertices_;
+            part.skinned = is_skinned(scene_.nodes[node], primitives[i]);
+            part.moves = moves(scene_, motion_, node, primitives[i]);
+            part.blinks = shown_[node] == Shown::sometimes;
+            vertices_ += part.vertex_count;
+            triangles_ += primitives[i].triangles.size();
+            parts_.push_back(part);
+
+            constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
+            if (vertices_ > most || triangles_ > most) {
+                throw Error("the scene has more than 2^32 - 1 vertices or triangles", scene_.name,
+                            "split it, or use a simpler mesh for its instances");
+            }
         }
     }
-    constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
-    if (vertices > most || triangles > most) {
-        throw Error("the scene has more than 2^32 - 1 vertices or triangles", scene.name,
-                    "split it, or use a simpler mesh for its instances");
-    }
-    return parts;
-}
 
-/// Everything that no pose changes: triangles, texture coordinates, colours.
+    const Scene& scene_;
+    Motion motion_;
+    std::vector<Shown> shown_;
+    std::vector<Part> parts_;
+    std::size_t vertices_ = 0, triangles_ = 0;
+};
+
+/// What no pose changes: texture coordinates and colours.
 void fill_constants(const Scene& scene, FrameGeometry& geometry) {
-    for (std::size_t p = 0; p < geometry.parts.size(); ++p) {
-        const Part& part = geometry.parts[p];
+    for (const Part& part : geometry.parts) {
         const Primitive& primitive = primitive_of(scene, part);
-
-        const auto first = static_cast<std::uint32_t>(part.first_vertex);
-        for (std::size_t i = 0; i < part.triangle_count; ++i) {
-            geometry.triangles[part.first_triangle + i] = primitive.triangles[i] + first;
-            geometry.triangle_part[part.first_triangle + i] = static_cast<std::uint32_t>(p);
-        }
         const auto offset = static_cast<std::ptrdiff_t>(part.first_vertex);
         for (std::size_t set = 0; set < 2; ++set) {
             std::copy(primitive.texcoords[set].begin(), primitive.texcoords[set].end(),
@@ -101,20 +114,39 @@ const Primitive& primitive_of(const Scene& scene, const Part& part) {
     return scene.meshes[part.mesh].primitives[part.primitive];
 }
 
+void list_triangles(const Scene& scene, const std::vector<bool>& is_shown, FrameGeometry& geometry) {
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < geometry.parts.size(); ++p) {
+        Part& part = geometry.parts[p];
+        part.first_triangle = count;
+        part.triangle_count = is_shown[p] ? primitive_of(scene, part).triangles.size() : 0;
+        count += part.triangle_count;
+    }
+    geometry.triangles.resize(count);
+    geometry.triangle_part.resize(count);
+
+    for (std::size_t p = 0; p < geometry.parts.size(); ++p) {
+        const Part& part = geometry.parts[p];
+        const Primitive& primitive = primitive_of(scene, part);
+        const auto first = static_cast<std::uint32_t>(part.first_vertex);
+        for (std::size_t i = 0; i < part.triangle_count; ++i) {
+            geometry.triangles[part.first_triangle + i] = primitive.triangles[i] + first;
+            geometry.triangle_part[part.first_triangle + i] = static_cast<std::uint32_t>(p);
+        }
+    }
+    geometry.is_shown = is_shown;
+}
+
 FrameGeometry lay_out(const Scene& scene, const Clip& clip) {
     FrameGeometry geometry;
-    geometry.parts = list_parts(scene, clip);
+    geometry.parts = std::move(PartList(scene, clip).parts());
     geometry.mirrored.resize(geometry.parts.size());
 
     const auto any = [&](auto&& has) {
         return std::any_of(geometry.parts.begin(), geometry.parts.end(), has);
     };
     std::size_t vertices = 0;
-    std::size_t triangles = 0;
-    for (const Part& part : geometry.parts) {
-        vertices += part.vertex_count;
-        triangles += part.triangle_count;
-    }
+    for (const Part& part : geometry.parts) vertices += part.vertex_count;
     geometry.positions.resize(vertices, glm::vec3{0.0f});
     geometry.normals.resize(vertices, glm::vec3{0.0f});
     if (any([](const Part& part) { return part.has_tangents; })) {
@@ -128,10 +160,8 @@ FrameGeometry lay_out(const Scene& scene, const Clip& clip) {
     if (any([](const Part& part) { return part.has_colors; })) {
         geometry.colors.resize(vertices, glm::vec4{1.0f});
     }
-    geometry.triangles.resize(triangles);
-    geometry.triangle_part.resize(triangles);
-
     fill_constants(scene, geometry);
+    list_triangles(scene, std::vector<bool>(geometry.parts.size(), true), geometry);
     geometry.scratch = lay_out_scratch(scene, geometry.parts);
     return geometry;
 }

@@ -2,13 +2,18 @@
 
 #include "anim/gltf/describe_scene.h"
 #include "anim/gltf/document.h"
+#include "anim/gltf/draco_primitives.h"
 #include "anim/gltf/extensions.h"
 #include "anim/gltf/influences.h"
 #include "anim/gltf/read_animations.h"
 #include "anim/gltf/read_images.h"
+#include "anim/gltf/read_materials.h"
 #include "anim/gltf/read_meshes.h"
+#include "anim/gltf/read_node_extensions.h"
+#include "anim/gltf/read_textures.h"
 #include "anim/gltf/undrawn_looks.h"
 #include "anim/gltf/validate.h"
+#include "anim/gltf/version.h"
 
 #include <utility>
 
@@ -18,11 +23,13 @@ namespace {
 using namespace gltf;
 
 void validate(Document& document) {
-    check_version_and_extensions(document);
     const Place root = document.root();
+    check_version(root);
+    check_extensions(document);
     validate_shape(root);
     document.read_buffers();
     validate_nodes(root, document.accessors());
+    validate_instances(root, document.accessors());
     validate_meshes(root, document.accessors());
     validate_animations(root, document.accessors());
     validate_cameras_and_lights(root);
@@ -33,9 +40,13 @@ void validate(Document& document) {
 Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& file) {
     Document document(bytes, file);
     validate(document);
+    decompress_primitives(document);
 
     Scene scene = describe_scene(document);
-    warn_of_undrawn_looks(document);
+    read_node_extensions(document, scene);
+    scene.materials = read_materials(document);
+    scene.textures = read_textures(document, scene.materials);
+    warn_of_undrawn_looks(document, scene.materials);
     scene.name = file.stem().string();
     scene.meshes = read_meshes(document);
     scene.animations = read_animations(document);

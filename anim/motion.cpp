@@ -16,7 +16,19 @@ Motion find_motion(const Scene& scene, const Clip& clip) {
         const Animation& animation = scene.animations[index];
         for (const Channel& channel : animation.channels) {
             if (!varies(animation.samplers[channel.sampler])) continue;
-            (channel.path == ChannelPath::weights ? motion.weights : motion.world)[channel.node] = true;
+            switch (channel.path) {
+                case ChannelPath::translation:
+                case ChannelPath::rotation:
+                case ChannelPath::scale:
+                    motion.world[channel.object] = true;
+                    break;
+                case ChannelPath::weights:
+                case ChannelPath::weight:
+                    motion.weights[channel.object] = true;
+                    break;
+                default:  // hides or colours, but moves nothing
+                    break;
+            }
         }
     }
 

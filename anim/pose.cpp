@@ -1,10 +1,15 @@
 #include "anim/pose.h"
 
+#include "anim/animated_properties.h"
 #include "anim/node_order.h"
-#include "anim/rotation.h"
 #include "anim/sample_channel.h"
+#include "anim/trs_matrix.h"
+#include "anim/visibility.h"
 
+#include <array>
 #include <cstddef>
+#include <span>
+#include <utility>
 
 namespace gridreel::anim {
 namespace {
@@ -16,33 +21,69 @@ std::vector<float> resting_weights(const Scene& scene, const Node& node) {
     return node.weights.size() == of_mesh.size() ? node.weights : of_mesh;
 }
 
-void apply(const Animation& animation, double time_s, std::vector<Trs>& locals,
-           std::vector<std::vector<float>>& weights) {
-    for (const Channel& channel : animation.channels) {
-        const Sampler& sampler = animation.samplers[channel.sampler];
-        Trs& local = locals[channel.node];
-        switch (channel.path) {
-            case ChannelPath::translation:
-                local.translation = sample_vec3(sampler, time_s);
-                break;
-            case ChannelPath::rotation:
-                local.rotation = sample_rotation(sampler, time_s);
-                break;
-            case ChannelPath::scale:
-                local.scale = sample_vec3(sampler, time_s);
-                break;
-            case ChannelPath::weights:
-                sample_weights(sampler, time_s, weights[channel.node]);
-                break;
-        }
+/// The pose under construction: what channels write to, before parents are heeded.
+struct Posed {
+    Pose pose;
+    std::vector<Trs> locals;
+};
+
+Posed at_rest(const Scene& scene, double time_s) {
+    Posed posed;
+    posed.pose.time_s = time_s;
+    posed.pose.cameras = scene.cameras;
+    posed.pose.lights = scene.lights;
+    posed.pose.materials = scene.materials;
+    posed.locals.reserve(scene.nodes.size());
+    posed.pose.weights.reserve(scene.nodes.size());
+    posed.pose.visible.reserve(scene.nodes.size());
+    for (const Node& node : scene.nodes) {
+        posed.locals.push_back(node.trs);
+        posed.pose.weights.push_back(resting_weights(scene, node));
+        posed.pose.visible.push_back(node.visible);
     }
+    return posed;
 }
 
-/// Translation * rotation * scale.
-glm::dmat4 matrix_of(const Trs& trs) {
-    const glm::dmat3 rotation = glm::mat3_cast(unit_or_identity(trs.rotation));
-    return {glm::dvec4{rotation[0] * trs.scale.x, 0.0}, glm::dvec4{rotation[1] * trs.scale.y, 0.0},
-            glm::dvec4{rotation[2] * trs.scale.z, 0.0}, glm::dvec4{trs.translation, 1.0}};
+template <class Object>
+void set(const AnimatedProperty<Object>& property, const Sampler& sampler, double time_s, Object& object) {
+    std::array<float, 4> value{};
+    sample_numbers(sampler, time_s, std::span(value).first(property.width));
+    property.set(object, value.data());
+}
+
+void apply(const Channel& channel, const Sampler& sampler, Posed& posed) {
+    Pose& pose = posed.pose;
+    const double time_s = pose.time_s;
+    const Index object = channel.object;
+    switch (channel.path) {
+        case ChannelPath::translation:
+            posed.locals[object].translation = sample_vec3(sampler, time_s);
+            break;
+        case ChannelPath::rotation:
+            posed.locals[object].rotation = sample_rotation(sampler, time_s);
+            break;
+        case ChannelPath::scale:
+            posed.locals[object].scale = sample_vec3(sampler, time_s);
+            break;
+        case ChannelPath::weights:
+            sample_numbers(sampler, time_s, pose.weights[object]);
+            break;
+        case ChannelPath::weight:
+            sample_numbers(sampler, time_s, std::span(pose.weights[object]).subspan(channel.property, 1));
+            break;
+        case ChannelPath::visibility:
+            pose.visible[object] = sample_flag(sampler, time_s);
+            break;
+        case ChannelPath::camera:
+            set(camera_properties()[channel.property], sampler, time_s, pose.cameras[object]);
+            break;
+        case ChannelPath::light:
+            set(light_properties()[channel.property], sampler, time_s, pose.lights[object]);
+            break;
+        case ChannelPath::material:
+            set(material_properties()[channel.property], sampler, time_s, pose.materials[object]);
+            break;
+    }
 }
 
 /// World matrices of all nodes of the file: a skin's joints may stand outside the scene that is shown.
@@ -59,27 +100,19 @@ std::vector<glm::dmat4> world_matrices(const Scene& scene, const std::vector<Trs
 }  // namespace
 
 Pose pose(const Scene& scene, const Clip& clip, double time_s) {
-    // At rest.
-    std::vector<Trs> locals;
-    std::vector<std::vector<float>> weights;
-    locals.reserve(scene.nodes.size());
-    weights.reserve(scene.nodes.size());
-    for (const Node& node : scene.nodes) {
-        locals.push_back(node.trs);
-        weights.push_back(resting_weights(scene, node));
+    Posed posed = at_rest(scene, time_s);
+
+    // Where two animations meet, the later one stays.
+    for (const Index index : clip.animations) {
+        const Animation& animation = scene.animations[index];
+        for (const Channel& channel : animation.channels) {
+            apply(channel, animation.samplers[channel.sampler], posed);
+        }
     }
 
-    // Animated; where two animations meet, the later one stays.
-    for (const Index animation : clip.animations) {
-        apply(scene.animations[animation], time_s, locals, weights);
-    }
-
-    return {.time_s = time_s,
-            .world = world_matrices(scene, locals),
-            .weights = std::move(weights),
-            .cameras = scene.cameras,
-            .lights = scene.lights,
-            .materials = scene.materials};
+    posed.pose.world = world_matrices(scene, posed.locals);
+    inherit_visibility(scene, posed.pose.visible);
+    return std::move(posed.pose);
 }
 
 }  // namespace gridreel::anim

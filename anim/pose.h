@@ -15,6 +15,7 @@ struct Pose {
     double time_s = 0.0;
     std::vector<glm::dmat4> world;            ///< one per node of the file
     std::vector<std::vector<float>> weights;  ///< one list per node; empty for nodes without morph targets
+    std::vector<bool> visible;                ///< one per node: it and all above it are shown
     std::vector<Camera> cameras;              ///< as `Scene::cameras`, with animated values
     std::vector<Light> lights;                ///< as `Scene::lights`
     std::vector<Material> materials;          ///< as `Scene::materials`

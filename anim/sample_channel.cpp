@@ -78,12 +78,16 @@ glm::dquat sample_rotation(const Sampler& sampler, double time_s) {
                              interpolate(sampler, at, 1), interpolate(sampler, at, 2)});
 }
 
-void sample_weights(const Sampler& sampler, double time_s, std::span<float> weights) {
-    assert(sampler.width == weights.size());
+void sample_numbers(const Sampler& sampler, double time_s, std::span<float> values) {
+    assert(sampler.width == values.size());
     const Place at = find_place(sampler, time_s);
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        weights[i] = static_cast<float>(interpolate(sampler, at, i));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = static_cast<float>(interpolate(sampler, at, i));
     }
+}
+
+bool sample_flag(const Sampler& sampler, double time_s) {
+    return stored(sampler, find_place(sampler, time_s).key, Part::value, 0) != 0.0;
 }
 
 bool varies(const Sampler& sampler) {

@@ -18,8 +18,11 @@ namespace gridreel::anim {
 /// A rotation at `time_s`, unit length: spherical between linear keys, normalised in every case.
 [[nodiscard]] glm::dquat sample_rotation(const Sampler& sampler, double time_s);
 
-/// Morph weights at `time_s`, into `weights` (`sampler.width` of them).
-void sample_weights(const Sampler& sampler, double time_s, std::span<float> weights);
+/// Any other numbers (morph weights, factors, colours) at `time_s`, into `values` (`sampler.width` of them).
+void sample_numbers(const Sampler& sampler, double time_s, std::span<float> values);
+
+/// Whether a flag is set at `time_s`: it keeps each key's value until the next.
+[[nodiscard]] bool sample_flag(const Sampler& sampler, double time_s);
 
 /// Whether two times can give different values. When not, every time gives the same bits.
 [[nodiscard]] bool varies(const Sampler& sampler);

@@ -1,6 +1,9 @@
 #pragma once
 // What a glTF file says, as plain immutable data. Everything is checked: every index in here is in range.
 
+#include "anim/index.h"
+#include "anim/material.h"
+
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -16,8 +19,6 @@
 #include <vector>
 
 namespace gridreel::anim {
-
-using Index = std::uint32_t;  ///< into one of the vectors of `Scene`
 
 // --- Nodes -------------------------------------------------------------------------------------
 
@@ -39,6 +40,9 @@ struct Node {
     std::optional<Index> camera;
     std::optional<Index> light;
     std::vector<float> weights;  ///< one per morph target of `mesh`, or empty: the mesh's own
+    bool visible = true;         ///< at rest; false hides the nodes below it, too (KHR_node_visibility)
+    /// Where copies of `mesh` stand, seen from the node (EXT_mesh_gpu_instancing); empty: one, at the node.
+    std::vector<Trs> instances;
 };
 
 // --- Meshes ------------------------------------------------------------------------------------
@@ -57,6 +61,12 @@ struct Influences {
     std::vector<float> weights;         ///< vertex-major
 };
 
+/// A material that takes the place of a primitive's own in one variant of the file.
+struct VariantMaterial {
+    Index variant = 0;  ///< into `Scene::variants`
+    Index material = 0;
+};
+
 /// One primitive; strips and fans are taken apart as in glTF 2.0, section 3.7.2.1.
 /// Points and lines are not kept (a warning says so).
 struct Primitive {
@@ -68,7 +78,8 @@ struct Primitive {
     std::vector<glm::uvec3> triangles;
     Influences influences;
     std::vector<MorphTarget> targets;
-    std::optional<Index> material;  ///< absent: `Material{}`
+    std::optional<Index> material;                   ///< absent: `Material{}`
+    std::vector<VariantMaterial> variant_materials;  ///< at most one for each variant
 };
 
 struct Mesh {
@@ -86,19 +97,33 @@ struct Skin {
 // --- Animation ---------------------------------------------------------------------------------
 
 enum class Interpolation { step, linear, cubic_spline };
-enum class ChannelPath { translation, rotation, scale, weights };
+
+/// What a channel drives: something of a node, or a value of a camera, a light or a material.
+enum class ChannelPath {
+    translation,
+    rotation,
+    scale,
+    weights,     ///< all morph weights of a node
+    weight,      ///< one of them
+    visibility,  ///< of a node; what is not zero shows it
+    camera,
+    light,
+    material,
+};
 
 /// Keys of one animated property (glTF 2.0, section 3.11 and appendix C).
 struct Sampler {
     std::vector<float> times_s;  ///< strictly increasing, at least one
     std::vector<float> values;   ///< per key: `width` numbers, or in-tangent, value, out-tangent (cubic)
-    std::uint32_t width = 0;     ///< 3, 4 (x, y, z, w) or the number of morph targets
+    std::uint32_t width = 0;     ///< numbers per key: 3, 4 (x, y, z, w), the number of morph targets, …
     Interpolation interpolation = Interpolation::linear;
 };
 
 struct Channel {
-    Index node = 0;
+    Index object = 0;  ///< node, camera, light or material, as `path` says
     ChannelPath path = ChannelPath::translation;
+    /// Which value of a camera, light or material (into its list in animated_properties.h), or which weight.
+    Index property = 0;
     Index sampler = 0;  ///< into `Animation::samplers`
 };
 
@@ -152,27 +177,6 @@ struct Texture {
     MipFilter mip_filter = MipFilter::linear;
 };
 
-struct TextureRef {
-    Index texture = 0;
-    std::uint32_t texcoord = 0;  ///< 0 or 1
-};
-
-enum class AlphaMode { opaque, mask, blend };
-
-struct Material {
-    std::string name;
-    glm::vec4 base_color{1.0f};                    ///< linear RGBA factor
-    std::optional<TextureRef> base_color_texture;  ///< sRGB
-    float metallic = 1.0f;
-    float roughness = 1.0f;
-    std::optional<TextureRef> metallic_roughness_texture;  ///< B metallic, G roughness
-    glm::vec3 emissive{0.0f};
-    std::optional<TextureRef> emissive_texture;  ///< sRGB
-    AlphaMode alpha_mode = AlphaMode::opaque;
-    float alpha_cutoff = 0.5f;
-    bool double_sided = false;
-};
-
 // --- The file ----------------------------------------------------------------------------------
 
 /// Something the reader did not, or not wholly, honour; never silent.
@@ -192,6 +196,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Image> images;
+    std::vector<std::string> variants;       ///< names (KHR_materials_variants); see `show_variant`
     std::vector<std::vector<Index>> scenes;  ///< root nodes of each scene; at least one scene
     Index default_scene = 0;
     std::vector<std::string> extensions_used;

@@ -28,6 +28,7 @@ glm::vec3 viewer_above(const glm::vec3& towards_viewer, const glm::vec3& normal)
 
 /// Light that needs no shadow ray: the surface's own and the dome's.
 glm::vec3 unshadowed(const Surface& surface, const Dome& dome, const glm::vec3& view) {
+    if (surface.unlit) return surface.emission;
     const glm::vec3 mirror = glm::reflect(-view, surface.normal);
     const glm::vec3 specular = ambient_specular(surface.reflectance, glm::dot(surface.normal, view));
     // A rough highlight gathers from as wide around as diffuse light does.
@@ -99,7 +100,8 @@ void Band::add_light(const Frame& frame, const PosedLight& light, BandReport& re
 void Band::choose_lit(const PosedLight& light) {
     lit_.resize(camera_rays_.size());
     tbb::parallel_for(std::size_t{0}, camera_rays_.size(), [&](std::size_t i) {
-        lit_[i] = hits_.triangle[i] != traversal::no_triangle && may_light(light, surfaces_[i]);
+        lit_[i] = hits_.triangle[i] != traversal::no_triangle && !surfaces_[i].unlit &&
+                  may_light(light, surfaces_[i]);
     });
     compact(lit_, sample_of_);
 }

@@ -17,6 +17,7 @@ Lighting file_lighting(const anim::Scene& scene, const std::vector<anim::Index>&
     Lighting lighting;
     lighting.lights.reserve(nodes.size());
     for (const anim::Index node : nodes) {
+        if (!pose.visible[node]) continue;
         if (const auto light = posed_light(pose.lights[*scene.nodes[node].light], pose.world[node])) {
             lighting.lights.push_back(*light);
         }

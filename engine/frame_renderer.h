@@ -40,7 +40,7 @@ class FrameRenderer {
 public:
     /// Decodes textures and chooses camera and lights.
     /// @param scene  outlives the renderer
-    /// @throws Error when the camera does not exist, or a texture cannot be decoded
+    /// @throws Error when the camera does not exist
     FrameRenderer(const anim::Scene& scene, anim::Clip clip, const RenderSettings& settings);
     ~FrameRenderer();
 

@@ -49,6 +49,10 @@ std::vector<glm::u16vec4> to_rgba(const std::vector<std::uint16_t>& values, std:
 }  // namespace
 
 DecodedImage decode(const anim::Image& image) {
+    if (bytes_at(image, 0, 7) == "\xabKTX 20") {
+        throw Error("the image is KTX2, which is not read", place_of(image),
+                    "convert the textures: npx @gltf-transform/cli ktxdecompress IN.glb OUT.glb");
+    }
     const std::string_view format = format_of(image);
     if (format.empty()) {
         throw Error("the image is neither PNG, JPEG nor WebP", place_of(image),

@@ -21,8 +21,8 @@ std::set<anim::Index> used_materials(const anim::FrameGeometry& geometry) {
 std::vector<std::string> notes_on_looks(const anim::Scene& scene, const anim::FrameGeometry& geometry,
                                         const Textures& textures) {
     std::vector<std::string> notes;
-    for (const std::string& image : textures.missing()) {
-        notes.push_back(fmt::format("image \"{}\" could not be read: drawn white", image));
+    for (const std::string& problem : textures.problems()) {
+        notes.push_back(fmt::format("drawn white: {}", problem));
     }
     for (const anim::Index material : used_materials(geometry)) {
         if (scene.materials[material].alpha_mode != anim::AlphaMode::blend) continue;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace gridreel::engine {
 namespace {
@@ -46,6 +47,12 @@ glm::vec3 pushed_out(const HitPoint& point, const std::array<glm::vec3, 3>& norm
         push -= weights[corner] * below * normals[i];
     }
     return position + push;
+}
+
+/// Without the texture. Finite, so that black texels stay black.
+glm::vec3 emitted(const anim::Material& material) {
+    return glm::min(material.emissive * material.emissive_strength,
+                    glm::vec3(std::numeric_limits<float>::max()));
 }
 
 }  // namespace
@@ -89,13 +96,18 @@ Surface surface_at(const PosedScene& scene, std::uint32_t triangle, const HitPoi
     const TexturedPoint at{.triangle = triangle,
                            .point = point,
                            .width = static_cast<float>(cone_width / glm::max(cosine, 1e-4))};
+    if (material.unlit) {
+        surface.unlit = true;
+        surface.emission = glm::vec3(base_color(scene, at));
+        return surface;
+    }
     const glm::vec4 metallic_roughness =
         textured(scene, at, material.metallic_roughness_texture, Encoding::linear);
     surface.reflectance = reflectance(glm::clamp(glm::vec3(base_color(scene, at)), 0.0f, 1.0f),
                                       glm::clamp(material.metallic * metallic_roughness.z, 0.0f, 1.0f),
                                       glm::clamp(material.roughness * metallic_roughness.y, 0.0f, 1.0f));
     surface.emission =
-        material.emissive * glm::vec3(textured(scene, at, material.emissive_texture, Encoding::srgb));
+        emitted(material) * glm::vec3(textured(scene, at, material.emissive_texture, Encoding::srgb));
     return surface;
 }
 

@@ -26,6 +26,7 @@ struct SurfaceShape {
 struct Surface : SurfaceShape {
     Reflectance reflectance{};
     glm::vec3 emission{0.0f};  ///< radiance, linear RGB
+    bool unlit = false;        ///< shows its emission, whatever light falls on it
 };
 
 /// @param triangle  hit by `ray` at `point`

@@ -1,11 +1,13 @@
 #include "engine/textures.h"
 
+#include "anim/drawn_textures.h"
+#include "anim/error.h"
 #include "engine/image_decode.h"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <cstddef>
-#include <exception>
 #include <set>
 #include <utility>
 
@@ -16,14 +18,12 @@ using Use = std::pair<anim::Index, Encoding>;  // an image and what it means
 
 std::set<Use> uses(const anim::Scene& scene) {
     std::set<Use> found;
-    const auto add = [&](const std::optional<anim::TextureRef>& ref, Encoding encoding) {
-        if (!ref) return;
-        if (const auto image = scene.textures[ref->texture].image) found.emplace(*image, encoding);
-    };
     for (const anim::Material& material : scene.materials) {
-        add(material.base_color_texture, Encoding::srgb);
-        add(material.emissive_texture, Encoding::srgb);
-        add(material.metallic_roughness_texture, Encoding::linear);
+        for (const anim::DrawnTexture& texture : anim::drawn_textures(material)) {
+            const bool is_color = texture.meaning == anim::TextureMeaning::color;
+            const auto image = scene.textures[texture.ref.texture].image;
+            if (image) found.emplace(*image, is_color ? Encoding::srgb : Encoding::linear);
+        }
     }
     return found;
 }
@@ -31,31 +31,32 @@ std::set<Use> uses(const anim::Scene& scene) {
 }  // namespace
 
 Textures::Textures(const anim::Scene& scene) : scene_(scene) {
-    std::vector<Use> readable;
-    std::set<anim::Index> missing;
-    for (const Use& use : uses(scene)) {
-        if (scene.images[use.first].encoded.empty()) {
-            missing.insert(use.first);
-        } else {
-            readable.push_back(use);
-        }
-    }
-    for (const anim::Index image : missing) missing_.push_back(scene.images[image].name);
-
-    // Decode; of several damaged images the first in the file is reported, whichever thread met it.
+    const std::set<Use> found = uses(scene);
+    const std::vector<Use> wanted(found.begin(), found.end());
     for (auto& images : images_) images.resize(scene.images.size());
-    std::vector<std::exception_ptr> errors(readable.size());
-    tbb::parallel_for(std::size_t{0}, readable.size(), [&](std::size_t i) {
-        const auto [image, encoding] = readable[i];
+
+    // One bad image does not take the others, or the picture, with it.
+    std::vector<std::string> problems(wanted.size());
+    tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
+        const auto& [image, encoding] = wanted[i];
+        if (scene.images[image].encoded.empty()) {
+            problems[i] = fmt::format("image \"{}\" could not be read", scene.images[image].name);
+            return;
+        }
         try {
             images_[static_cast<std::size_t>(encoding)][image] =
                 std::make_unique<Pyramid>(decode(scene.images[image]), encoding);
-        } catch (...) {
-            errors[i] = std::current_exception();
+        } catch (const Error& error) {
+            problems[i] = error.what();
         }
     });
-    for (const std::exception_ptr& error : errors) {
-        if (error) std::rethrow_exception(error);
+
+    // Image by image as in the file, and once where an image has two meanings.
+    std::optional<anim::Index> last;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (problems[i].empty() || wanted[i].first == last) continue;
+        problems_.push_back(std::move(problems[i]));
+        last = wanted[i].first;
     }
 }
 

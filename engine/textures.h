@@ -20,20 +20,19 @@ class Textures {
 public:
     /// Decodes in parallel.
     /// @param scene  outlives the textures
-    /// @throws Error naming the first image that cannot be decoded
     explicit Textures(const anim::Scene& scene);
 
-    /// As `engine::sample`; white where the reference, its image or the image's bytes are missing.
+    /// As `engine::sample`; white where the reference, its image or the image's pixels are missing.
     [[nodiscard]] glm::vec4 sample(const std::optional<anim::TextureRef>& ref, Encoding encoding,
                                    const glm::vec2& uv, float footprint) const;
 
-    /// Images without bytes that materials refer to, by name.
-    [[nodiscard]] const std::vector<std::string>& missing() const { return missing_; }
+    /// Why images that materials refer to have no pixels: a sentence for each, in the file's order.
+    [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
 
 private:
     const anim::Scene& scene_;
     std::array<std::vector<std::unique_ptr<Pyramid>>, 2> images_;  ///< by encoding, then image
-    std::vector<std::string> missing_;
+    std::vector<std::string> problems_;
 };
 
 }  // namespace gridreel::engine

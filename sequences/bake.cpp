@@ -39,7 +39,7 @@ BakeResult bake(const BakeJob& job, const BakeReports& reports, const std::atomi
         reports.warning(fmt::format("{}: {}", warning.where, warning.text));
     }
     const anim::Clip clip = choose_clip(scene, job.take);
-    const std::vector<Frame> frames = choose_frames(job.take, clip, job.output);
+    const std::vector<Frame> frames = choose_frames(job.take, scene, clip, job.output);
     check_camera(scene, clip, job.camera);
     const engine::RenderCamera camera(scene, clip, job.camera, job.width, job.height);
     make_folder(job.output.folder());

@@ -1,6 +1,5 @@
 #include "sequences/benchmark.h"
 
-#include "anim/load.h"
 #include "sequences/frame_pattern.h"
 #include "traversal/lambda_chooser.h"
 
@@ -71,9 +70,9 @@ std::vector<Entrant> enter(const BenchmarkPlan& plan, std::size_t camera_rays,
 
 SceneBenchmark run_benchmark(const BenchmarkPlan& plan,
                              const std::function<void(std::size_t, std::size_t)>& frame_done) {
-    const anim::Scene scene = anim::load(plan.take.scene_file);
+    const anim::Scene scene = load_scene(plan.take).scene;
     const anim::Clip clip = choose_clip(scene, plan.take);
-    const std::vector<Frame> frames = choose_frames(plan.take, clip, FramePattern("none.####.exr"));
+    const std::vector<Frame> frames = choose_frames(plan.take, scene, clip, FramePattern("none.####.exr"));
     check_camera(scene, clip, plan.render.camera);
 
     engine::WaveTracer waves(scene, clip, plan.render);

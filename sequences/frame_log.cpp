@@ -57,6 +57,7 @@ Json options_of(const RunRecord& run) {
             {"fps", to_string(job.take.rate)},
             {"animation", job.take.animation},
             {"scene", job.take.scene ? Json(*job.take.scene) : Json()},
+            {"variant", job.take.variant.empty() ? Json() : Json(job.take.variant)},
             {"camera", render.camera},
             {"size", {run.width, run.height}},
             {"spp", render.samples},

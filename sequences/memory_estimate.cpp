@@ -1,5 +1,6 @@
 #include "sequences/memory_estimate.h"
 
+#include "anim/drawn_textures.h"
 #include "engine/film.h"
 #include "engine/pixel_order.h"
 #include "engine/surface.h"
@@ -76,16 +77,12 @@ std::size_t texel_count(const anim::Image& image) {
 
 std::size_t texture_bytes(const anim::Scene& scene) {
     // An image is decoded once for each meaning it is used with.
-    enum class Meaning { color, numbers };
-    std::set<std::pair<anim::Index, Meaning>> uses;
-    const auto use = [&](const std::optional<anim::TextureRef>& ref, Meaning meaning) {
-        if (!ref) return;
-        if (const auto image = scene.textures[ref->texture].image) uses.emplace(*image, meaning);
-    };
+    std::set<std::pair<anim::Index, anim::TextureMeaning>> uses;
     for (const anim::Material& material : scene.materials) {
-        use(material.base_color_texture, Meaning::color);
-        use(material.emissive_texture, Meaning::color);
-        use(material.metallic_roughness_texture, Meaning::numbers);
+        for (const anim::DrawnTexture& texture : anim::drawn_textures(material)) {
+            const auto image = scene.textures[texture.ref.texture].image;
+            if (image) uses.emplace(*image, texture.meaning);
+        }
     }
 
     // All smaller sizes together are a third of the largest.

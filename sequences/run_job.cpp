@@ -1,6 +1,5 @@
 #include "sequences/run_job.h"
 
-#include "anim/load.h"
 #include "sequences/build_info.h"
 #include "sequences/errors.h"
 #include "sequences/fingerprint.h"
@@ -112,11 +111,11 @@ JobResult run_job(const Job& job, JobObserver& observer, const std::atomic<bool>
     limit_image_threads(job.threads);
 
     // Everything that can be refused is refused before the first frame.
-    const anim::Scene scene = anim::load(job.take.scene_file);
+    const anim::Scene scene = load_scene(job.take).scene;
     for (const anim::Warning& warning : scene.warnings)
         observer.warning(fmt::format("{}: {}", warning.where, warning.text));
     const anim::Clip clip = choose_clip(scene, job.take);
-    const std::vector<Frame> frames = choose_frames(job.take, clip, job.output);
+    const std::vector<Frame> frames = choose_frames(job.take, scene, clip, job.output);
     check_camera(scene, clip, job.render.camera);
     engine::FrameRenderer renderer(scene, clip, job.render);
     make_folder(job.output.folder());

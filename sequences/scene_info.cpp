@@ -1,7 +1,6 @@
 #include "sequences/scene_info.h"
 
 #include "anim/frame_geometry.h"
-#include "anim/load.h"
 #include "sequences/fingerprint.h"
 #include "sequences/thread_count.h"
 
@@ -57,7 +56,8 @@ void list_nodes(const anim::Scene& scene, const anim::Clip& clip, SceneInfo& inf
 }  // namespace
 
 SceneInfo inspect(const Take& take) {
-    const anim::Scene scene = anim::load(take.scene_file);
+    const LoadedScene loaded = load_scene(take);
+    const anim::Scene& scene = loaded.scene;
     const anim::Clip clip = choose_clip(scene, take);
 
     SceneInfo info;
@@ -72,6 +72,8 @@ SceneInfo inspect(const Take& take) {
     info.nodes = scene.nodes.size();
     info.meshes = scene.meshes.size();
     info.skins = scene.skins.size();
+    info.variants = scene.variants;
+    info.variant = loaded.variant;
     info.textures = scene.textures.size();
     info.images = scene.images.size();
     info.extensions_used = scene.extensions_used;

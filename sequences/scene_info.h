@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,8 @@ struct SceneInfo {
     anim::Box bounds;  ///< over the whole clip, metres
     std::size_t nodes = 0, meshes = 0, skins = 0, morph_targets = 0, textures = 0, images = 0;
     std::vector<std::string> materials;
+    std::vector<std::string> variants;   ///< in the order of their numbers for --variant
+    std::optional<anim::Index> variant;  ///< the one shown; absent: the materials' own
     std::vector<std::string> extensions_used;
     std::vector<std::string> extensions_required;
     std::vector<anim::Warning> warnings;
@@ -54,7 +57,7 @@ struct SceneInfo {
 };
 
 /// Loads the file and looks at the clip chosen; `take.frames` does not matter.
-/// @throws UsageError when animation or scene do not exist
+/// @throws UsageError when animation, scene or variant do not exist
 /// @throws Error when it cannot be rendered
 [[nodiscard]] SceneInfo inspect(const Take& take);
 

@@ -115,6 +115,10 @@ std::string to_text(const SceneInfo& info) {
     line(page, "contents", "{} nodes, {} meshes, {} skins, {} morph targets, {} textures, {} images",
          info.nodes, info.meshes, info.skins, info.morph_targets, info.textures, info.images);
     line(page, "materials", "{}", names(info.materials));
+    for (std::size_t i = 0; i < info.variants.size(); ++i) {
+        line(page, i == 0 ? "variants" : "", "{} {}{}", i, label(info.variants[i], i),
+             info.variant == i ? ", shown" : "");
+    }
     line(page, "extensions", "used {}; required {}", names(info.extensions_used),
          names(info.extensions_required));
     memory_line(page, info);
@@ -156,6 +160,8 @@ std::string to_json_text(const SceneInfo& info) {
                     {"textures", info.textures},
                     {"images", info.images},
                     {"materials", info.materials},
+                    {"variants", info.variants},
+                    {"variant", info.variant ? Json(*info.variant) : Json()},
                     {"extensions_used", info.extensions_used},
                     {"extensions_required", info.extensions_required},
                     {"memory_estimate", memory_json(info)},

@@ -1,5 +1,8 @@
 #include "sequences/take.h"
 
+#include "anim/load.h"
+#include "anim/repeats.h"
+#include "anim/variants.h"
 #include "engine/choose_camera.h"
 #include "sequences/errors.h"
 
@@ -22,10 +25,11 @@ UsageError too_long(double duration_s, const FrameRate& rate) {
             "--frames", "name the frames to render"};
 }
 
-std::vector<Frame> whole_clip(double duration_s, const FrameRate& rate) {
-    const Frame last = last_frame(duration_s, rate);
-    if (last >= static_cast<Frame>(max_frames)) throw too_long(duration_s, rate);
-    return frame_range(0, last);
+std::vector<Frame> whole_clip(const Take& take, const anim::Scene& scene, const anim::Clip& clip) {
+    const Frame last = last_frame(clip.duration_s, take.rate);
+    if (last >= static_cast<Frame>(max_frames)) throw too_long(clip.duration_s, take.rate);
+    const bool comes_back = take.loop && last > 0 && anim::repeats(scene, clip, 0.0, take.rate.time_of(last));
+    return frame_range(0, comes_back ? last - 1 : last);
 }
 
 /// The list with the clip's last frame in the place of `clip_end`, unless the list has that frame already.
@@ -44,6 +48,18 @@ std::vector<Frame> with_last(std::vector<Frame> frames, double duration_s, const
 
 }  // namespace
 
+LoadedScene load_scene(const Take& take) {
+    LoadedScene loaded{.scene = anim::load(take.scene_file), .variant = {}};
+    if (take.variant.empty()) return loaded;
+    try {
+        loaded.variant = anim::choose_variant(loaded.scene, take.variant);
+    } catch (const Error& error) {
+        throw UsageError(error.what(), "");
+    }
+    anim::show_variant(loaded.scene, *loaded.variant);
+    return loaded;
+}
+
 anim::Clip choose_clip(const anim::Scene& scene, const Take& take) {
     try {
         return anim::choose_clip(scene, take.animation, take.scene);
@@ -60,9 +76,10 @@ void check_camera(const anim::Scene& scene, const anim::Clip& clip, std::string_
     }
 }
 
-std::vector<Frame> choose_frames(const Take& take, const anim::Clip& clip, const FramePattern& output) {
-    const std::vector<Frame> frames = take.frames ? with_last(*take.frames, clip.duration_s, take.rate)
-                                                  : whole_clip(clip.duration_s, take.rate);
+std::vector<Frame> choose_frames(const Take& take, const anim::Scene& scene, const anim::Clip& clip,
+                                 const FramePattern& output) {
+    const std::vector<Frame> frames =
+        take.frames ? with_last(*take.frames, clip.duration_s, take.rate) : whole_clip(take, scene, clip);
     check_numbered(frames.size(), output);
     return frames;
 }

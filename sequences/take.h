@@ -20,9 +20,22 @@ struct Take {
     std::filesystem::path scene_file;
     std::string animation = "auto";    ///< as `anim::choose_clip` takes it
     std::optional<anim::Index> scene;  ///< of the file; absent: its default
+    std::string variant;               ///< as `anim::choose_variant` takes it; empty: the materials' own
     FrameRate rate;
     std::optional<std::vector<Frame>> frames;  ///< absent: the whole clip, last key included
+    bool loop = false;  ///< the whole clip is without its last frame when that repeats the first
 };
+
+/// A file, and which of its variants its materials show.
+struct LoadedScene {
+    anim::Scene scene;
+    std::optional<anim::Index> variant;  ///< absent: none was asked for
+};
+
+/// `anim::load` of the take's file in the variant asked for; one that the file does not have is the caller's
+/// mistake.
+/// @throws UsageError, Error
+[[nodiscard]] LoadedScene load_scene(const Take& take);
 
 /// `anim::choose_clip`, but a name that the file does not have is the caller's mistake.
 /// @throws UsageError
@@ -36,8 +49,8 @@ void check_camera(const anim::Scene& scene, const anim::Clip& clip, std::string_
 /// The frames asked for, `clip_end` among them being the clip's last, each once; or 0 to the clip's last.
 /// @throws UsageError when there are several and `output` has no place for a number, or when the whole
 ///         clip has more than `max_frames`, or its last more than `max_frame_number`
-[[nodiscard]] std::vector<Frame> choose_frames(const Take& take, const anim::Clip& clip,
-                                               const FramePattern& output);
+[[nodiscard]] std::vector<Frame> choose_frames(const Take& take, const anim::Scene& scene,
+                                               const anim::Clip& clip, const FramePattern& output);
 
 /// The same rule before the file is loaded, as far as the frames are known.
 void check_numbered(const Take& take, const FramePattern& output);

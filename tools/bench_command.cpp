@@ -230,6 +230,7 @@ Command add_bench_command(CLI::App& program) {
     const auto text = std::make_shared<BenchText>();
     app->add_option("SCENE", text->scene_files, "Scenes: .glb or .gltf")->type_name("");
     add_clip_options(*app, text->take, FrameOption::offered);
+    add_variant_option(*app, text->take);
     add_competitor_options(*app, text->competitors);
     add_measure_options(*app, *text);
     add_report_options(*app, *text);

@@ -47,15 +47,20 @@ struct TakeText {
     std::string fps = "24";
     std::string animation = "auto";
     std::string scene;
+    std::string variant;
+    bool loop = false;
 };
 
 enum class FrameOption { offered, left_out };
 
-/// -f --fps --animation --scene.
+/// -f --loop --fps --animation --scene.
 void add_clip_options(CLI::App& app, TakeText& text, FrameOption frames);
 
 /// SCENE, and those of `add_clip_options`.
 void add_take_options(CLI::App& app, TakeText& text, FrameOption frames);
+
+/// --variant, for commands to which materials matter.
+void add_variant_option(CLI::App& app, TakeText& text);
 
 /// @throws sequences::UsageError
 [[nodiscard]] sequences::Take read_take(const TakeText& text);

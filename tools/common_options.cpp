@@ -61,6 +61,9 @@ void add_clip_options(CLI::App& app, TakeText& text, FrameOption frames) {
             ->type_name("LIST")
             ->default_str("whole clip")
             ->group("What to play");
+        app.add_flag("--loop", text.loop,
+                     "Without --frames: leave the last frame out when it repeats the first")
+            ->group("What to play");
     }
     app.add_option("--fps", text.fps, "Frames per second; 30000/1001 too")
         ->type_name("RATE")
@@ -77,6 +80,13 @@ void add_clip_options(CLI::App& app, TakeText& text, FrameOption frames) {
         ->group("What to play");
 }
 
+void add_variant_option(CLI::App& app, TakeText& text) {
+    app.add_option("--variant", text.variant, "NAME or number of a variant of the materials")
+        ->type_name("CHOICE")
+        ->default_str("the materials' own")
+        ->group("What to play");
+}
+
 void add_take_options(CLI::App& app, TakeText& text, FrameOption frames) {
     app.add_option("SCENE", text.scene_file, "Scene: .glb or .gltf")->type_name("");
     add_clip_options(app, text, frames);
@@ -89,7 +99,9 @@ sequences::Take read_take(const TakeText& text) {
     sequences::Take take;
     take.scene_file = text.scene_file;
     take.animation = text.animation;
+    take.variant = text.variant;
     take.rate = sequences::parse_frame_rate(text.fps);
+    take.loop = text.loop;
     if (!text.scene.empty()) take.scene = parse_scene_number(text.scene);
     if (!text.frames.empty()) take.frames = sequences::parse_frame_list(text.frames);
     return take;

@@ -23,6 +23,7 @@ Command add_info_command(CLI::App& program) {
         program.add_subcommand("info", "Say what is in a scene file; exit 3 when it cannot be rendered");
     const auto text = std::make_shared<InfoText>();
     add_take_options(*app, text->take, FrameOption::left_out);
+    add_variant_option(*app, text->take);
     app->add_flag("--json", text->json, "One JSON object")->group("Output");
     return {.app = app, .run = [text](const CommonOptions&, Console& console) {
                 const sequences::Take take = read_take(text->take);

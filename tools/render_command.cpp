@@ -141,6 +141,7 @@ Command add_render_command(CLI::App& program) {
         program.add_subcommand("render", "Render frames of an animated scene to image files");
     const auto text = std::make_shared<RenderText>();
     add_take_options(*app, text->take, FrameOption::offered);
+    add_variant_option(*app, text->take);
     add_picture_options(*app, text->picture);
     add_output_options(*app, *text);
     add_machine_options(*app, *text);

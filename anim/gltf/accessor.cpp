@@ -96,8 +96,8 @@ const std::byte* locate(const Place& place, std::span<const std::byte> view, std
     return view.data() + offset;
 }
 
-SparseElements resolve_sparse(const Place& place, const Accessor& accessor, const Place& root,
-                              std::span<const std::span<const std::byte>> buffers) {
+SparseElements resolve_sparse(const Place& place, const Accessor& accessor,
+                              std::span<const std::span<const std::byte>> views) {
     const Place indices = place.at("indices"), values = place.at("values");
     SparseElements sparse{.count = place.at("count").integer(),
                           .index_type = static_cast<ComponentType>(indices.at("componentType").integer())};
@@ -105,11 +105,10 @@ SparseElements resolve_sparse(const Place& place, const Accessor& accessor, cons
         place.refuse(fmt::format("{} sparse elements replace some of only {}", sparse.count, accessor.count));
 
     const std::size_t index_size = byte_count(sparse.index_type), value_size = element_bytes(accessor);
-    sparse.indices = locate(indices, view_bytes(root, indices.at("bufferView").index(), buffers),
+    sparse.indices = locate(indices, views[indices.at("bufferView").index()],
                             indices.integer_or("byteOffset", 0), sparse.count, index_size, index_size);
-    sparse.values =
-        locate(values, view_bytes(root, values.at("bufferView").index(), buffers),
-               values.integer_or("byteOffset", 0), sparse.count, value_size, packed_stride(accessor));
+    sparse.values = locate(values, views[values.at("bufferView").index()], values.integer_or("byteOffset", 0),
+                           sparse.count, value_size, packed_stride(accessor));
 
     // Indices are in range and strictly increase.
     std::size_t next_allowed = 0;
@@ -125,7 +124,7 @@ SparseElements resolve_sparse(const Place& place, const Accessor& accessor, cons
     return sparse;
 }
 
-Accessor resolve(const Place& place, const Place& root, std::span<const std::span<const std::byte>> buffers) {
+Accessor resolve(const Place& place, const Place& root, std::span<const std::span<const std::byte>> views) {
     const auto& type_name = place.at("type").text();
     Accessor accessor{.component = static_cast<ComponentType>(place.at("componentType").integer()),
                       .element = *std::find_if(element_types.begin(), element_types.end(),
@@ -141,11 +140,10 @@ Accessor resolve(const Place& place, const Place& root, std::span<const std::spa
         if (accessor.stride < size && accessor.count > 1)
             place.refuse(fmt::format("elements of {} bytes overlap: the buffer view's stride is {}", size,
                                      accessor.stride));
-        accessor.data = locate(place, view_bytes(root, *view, buffers), place.integer_or("byteOffset", 0),
-                               accessor.count, size, accessor.stride);
+        accessor.data = locate(place, views[*view], place.integer_or("byteOffset", 0), accessor.count, size,
+                               accessor.stride);
     }
-    if (const auto sparse = place.find("sparse"))
-        accessor.sparse = resolve_sparse(*sparse, accessor, root, buffers);
+    if (const auto sparse = place.find("sparse")) accessor.sparse = resolve_sparse(*sparse, accessor, views);
     return accessor;
 }
 
@@ -206,32 +204,12 @@ std::string_view name_of(ComponentType type) {
     return "?";
 }
 
-std::span<const std::byte> view_bytes(const Place& root, Index view,
-                                      std::span<const std::span<const std::byte>> buffers) {
-    const Place place = root.at("bufferViews", view);
-    const auto buffer_index = place.at("buffer").index();
-    const auto buffer = buffers[buffer_index];
-    if (buffer.empty())
-        place.refuse(fmt::format("buffer {} has no bytes: no URI, and no BIN chunk for it", buffer_index));
-
-    const std::size_t offset = place.integer_or("byteOffset", 0), length = place.at("byteLength").integer();
-    if (offset + length > buffer.size())
-        place.refuse(fmt::format("bytes {} to {} are beyond buffer {}, which has {}", offset, offset + length,
-                                 buffer_index, buffer.size()));
-    return buffer.subspan(offset, length);
-}
-
 std::vector<Accessor> resolve_accessors(const Place& root,
-                                        std::span<const std::span<const std::byte>> buffers) {
-    // Views that nothing reads must be sound as well.
-    if (const auto views = root.find("bufferViews"))
-        for (std::size_t i = 0; i < views->size(); ++i)
-            static_cast<void>(view_bytes(root, static_cast<Index>(i), buffers));
-
+                                        std::span<const std::span<const std::byte>> views) {
     std::vector<Accessor> accessors;
     if (const auto places = root.find("accessors"))
         for (std::size_t i = 0; i < places->size(); ++i)
-            accessors.push_back(resolve((*places)[i], root, buffers));
+            accessors.push_back(resolve((*places)[i], root, views));
     return accessors;
 }
 

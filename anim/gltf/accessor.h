@@ -58,16 +58,12 @@ struct Accessor {
 ///
 /// Alignment is not demanded. Columns of matrices begin at multiples of four bytes (section 3.6.2.4).
 ///
-/// @param buffers  the bytes of each buffer; empty where the file does not say where they are
-/// @throws Error for views beyond their buffer, elements beyond their view, overlapping strides, sparse
+/// @param views  the bytes of each buffer view
+/// @throws Error for elements beyond their view, overlapping strides, sparse
 /// indices
 ///         that are out of range or not strictly increasing
 [[nodiscard]] std::vector<Accessor> resolve_accessors(const Place& root,
-                                                      std::span<const std::span<const std::byte>> buffers);
-
-/// The bytes of one buffer view.
-[[nodiscard]] std::span<const std::byte> view_bytes(const Place& root, Index view,
-                                                    std::span<const std::span<const std::byte>> buffers);
+                                                      std::span<const std::span<const std::byte>> views);
 
 /// All components, element by element, columns of matrices one after another; sparse elements in place.
 /// Normalised integers become [0, 1] or [-1, 1] as in section 3.6.2.2; other integers their value.

@@ -23,6 +23,9 @@ public:
         left_ -= bytes;
     }
 
+    /// What may still be spent.
+    [[nodiscard]] std::size_t left() const { return left_; }
+
 private:
     std::size_t left_ = std::size_t{512} << 20;
 };

@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 
-// tinygltf is handed only the sections that carry no bytes. Buffers, accessors, meshes, animations and images
-// are read by ours: tinygltf checks no ranges, drops channels of KHR_animation_pointer and fails on images it
-// cannot decode.
+// tinygltf is handed only the sections that carry neither bytes nor looks. Buffers, accessors, meshes,
+// animations, images, textures and materials are read by ours: tinygltf checks no ranges, drops channels of
+// KHR_animation_pointer, fails on images it cannot decode and leaves extensions to materials as JSON.
 
 namespace gridreel::anim::gltf {
 namespace {
@@ -43,8 +43,7 @@ Json stripped(const Json& json) {
 
 tinygltf::Model parse_model(const Place& root) {
     Json::Object sections;
-    for (const auto name :
-         {"asset", "scene", "scenes", "nodes", "skins", "cameras", "materials", "textures", "samplers"})
+    for (const auto name : {"asset", "scene", "scenes", "nodes", "skins", "cameras"})
         if (const Json* const section = root.json().find(name))
             sections.emplace_back(name, stripped(*section));
     if (const auto extensions = root.find("extensions")) {
@@ -170,76 +169,15 @@ Light read_light(const tinygltf::Light& source) {
     return light;
 }
 
-// --- Looks -------------------------------------------------------------------------------------
+// --- The file ----------------------------------------------------------------------------------
 
-Wrap read_wrap(int code) {
-    if (code == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::clamp_to_edge;
-    return code == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::mirrored_repeat : Wrap::repeat;
-}
-
-Texture read_texture(const tinygltf::Texture& source, const tinygltf::Model& model) {
-    Texture texture;
-    texture.image = optional_index(source.source);
-    if (source.sampler < 0) return texture;
-
-    const auto& sampler = model.samplers[static_cast<std::size_t>(source.sampler)];
-    texture.wrap_s = read_wrap(sampler.wrapS);
-    texture.wrap_t = read_wrap(sampler.wrapT);
-    if (sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) texture.mag_filter = Filter::nearest;
-    switch (sampler.minFilter) {
-        case TINYGLTF_TEXTURE_FILTER_NEAREST:
-            texture.min_filter = Filter::nearest;
-            texture.mip_filter = MipFilter::none;
-            break;
-        case TINYGLTF_TEXTURE_FILTER_LINEAR:
-            texture.mip_filter = MipFilter::none;
-            break;
-        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
-            texture.min_filter = Filter::nearest;
-            texture.mip_filter = MipFilter::nearest;
-            break;
-        case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
-            texture.mip_filter = MipFilter::nearest;
-            break;
-        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
-            texture.min_filter = Filter::nearest;
-            break;
-        default:
-            break;
-    }
-    return texture;
-}
-
-std::optional<TextureRef> read_texture_ref(const tinygltf::TextureInfo& info, const Place& material,
-                                           Document& document) {
-    const auto texture = optional_index(info.index);
-    if (!texture) return {};
-    if (info.texCoord > 1) {
-        document.warn(material,
-                      fmt::format("texture {} uses TEXCOORD_{}; only 0 and 1 are read, so it is left out",
-                                  *texture, info.texCoord));
-        return {};
-    }
-    return TextureRef{.texture = *texture, .texcoord = static_cast<std::uint32_t>(info.texCoord)};
-}
-
-Material read_material(const tinygltf::Material& source, const Place& place, Document& document) {
-    Material material;
-    const auto& pbr = source.pbrMetallicRoughness;
-    material.name = source.name;
-    material.base_color = glm::vec4(glm::make_vec4(pbr.baseColorFactor.data()));
-    material.base_color_texture = read_texture_ref(pbr.baseColorTexture, place, document);
-    material.metallic = static_cast<float>(pbr.metallicFactor);
-    material.roughness = static_cast<float>(pbr.roughnessFactor);
-    material.metallic_roughness_texture = read_texture_ref(pbr.metallicRoughnessTexture, place, document);
-    material.emissive = glm::vec3(glm::make_vec3(source.emissiveFactor.data()));
-    material.emissive_texture = read_texture_ref(source.emissiveTexture, place, document);
-    material.alpha_mode = source.alphaMode == "MASK"    ? AlphaMode::mask
-                          : source.alphaMode == "BLEND" ? AlphaMode::blend
-                                                        : AlphaMode::opaque;
-    material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
-    material.double_sided = source.doubleSided;
-    return material;
+std::vector<Place> variants_of(const Place& root) {
+    std::vector<Place> variants;
+    const auto extension = root.find_extension("KHR_materials_variants");
+    if (!extension) return variants;
+    const Place list = extension->at("variants");
+    for (std::size_t i = 0; i < list.size(); ++i) variants.push_back(list[i]);
+    return variants;
 }
 
 std::vector<std::string> names_in(const Document& document, std::string_view array) {
@@ -258,10 +196,8 @@ Scene describe_scene(Document& document) {
     read_skins(model, document, scene);
     for (const auto& camera : model.cameras) scene.cameras.push_back(read_camera(camera));
     for (const auto& light : model.lights) scene.lights.push_back(read_light(light));
-    for (const auto& texture : model.textures) scene.textures.push_back(read_texture(texture, model));
-    for (std::size_t i = 0; i < model.materials.size(); ++i)
-        scene.materials.push_back(
-            read_material(model.materials[i], document.root().at("materials", i), document));
+    for (const Place& variant : variants_of(document.root()))
+        scene.variants.push_back(variant.at("name").text());
     scene.extensions_used = names_in(document, "extensionsUsed");
     scene.extensions_required = names_in(document, "extensionsRequired");
     return scene;

@@ -60,41 +60,51 @@ std::vector<Place> Document::all(std::string_view array) const {
     return places;
 }
 
-void Document::read_buffers() {
-    const auto places = all("buffers");
-    owned_.reserve(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Place& place = places[i];
-        const std::size_t length = place.at("byteLength").integer();
+std::span<const std::byte> Document::read_buffer(const Place& place, std::size_t number) {
+    const std::size_t length = place.at("byteLength").integer();
+    // What only stands in for compressed views may be missing, or be some other chunk's number.
+    const bool may_be_missing = is_fallback(place);
 
-        std::span<const std::byte> bytes;
-        const auto uri = place.find("uri");
-        if (uri) {
-            if (auto embedded = decode_data_uri(uri->text(), *uri)) {
-                owned_.push_back(std::move(embedded->bytes));
-            } else {
-                auto beside = read_file(uri->text(), *uri);
-                if (!beside.refusal.empty())
-                    uri->refuse(beside.refusal,
-                                "put the buffer beside the model and name it by a relative URI");
-                owned_.push_back(std::move(beside.bytes));
-            }
-            bytes = owned_.back();
-        } else if (i == 0 && is_binary_) {
-            bytes = binary_;
+    std::span<const std::byte> bytes;
+    const auto uri = place.find("uri");
+    if (uri) {
+        if (auto embedded = decode_data_uri(uri->text(), *uri)) {
+            owned_.push_back(std::move(embedded->bytes));
+        } else {
+            auto beside = read_file(uri->text(), *uri);
+            if (!beside.refusal.empty() && !may_be_missing)
+                uri->refuse(beside.refusal, "put the buffer beside the model and name it by a relative URI");
+            owned_.push_back(std::move(beside.bytes));
         }
-
-        // A buffer without a source is a defect only when something reads it.
-        if (bytes.size() < length && (uri || !bytes.empty()))
-            place.refuse(fmt::format("the buffer states {} bytes but there are {}", length, bytes.size()),
-                         "the data is cut short: fetch or export it again");
-        buffers_.push_back(bytes.first(std::min(length, bytes.size())));
+        bytes = owned_.back();
+    } else if (number == 0 && is_binary_) {
+        bytes = binary_;
     }
-    accessors_ = resolve_accessors(root(), buffers_);
+
+    // A buffer without a source is a defect only when something reads it.
+    if (bytes.size() < length && (uri || !bytes.empty())) {
+        if (may_be_missing) return {};
+        place.refuse(fmt::format("the buffer states {} bytes but there are {}", length, bytes.size()),
+                     "the data is cut short: fetch or export it again");
+    }
+    return bytes.first(std::min(length, bytes.size()));
 }
 
-std::span<const std::byte> Document::view(Index buffer_view) const {
-    return view_bytes(root(), buffer_view, buffers_);
+void Document::read_buffers() {
+    const auto places = all("buffers");
+    for (std::size_t i = 0; i < places.size(); ++i) buffers_.push_back(read_buffer(places[i], i));
+    views_ = resolve_views(root(), buffers_, budget_);
+    warnings_.insert(warnings_.end(), views_.warnings.begin(), views_.warnings.end());
+    accessors_ = resolve_accessors(root(), views_.bytes);
+}
+
+Index Document::add_accessor(Accessor accessor, std::vector<std::byte> bytes) {
+    owned_.push_back(std::move(bytes));
+    accessor.data = owned_.back().data();
+    accessor.stride = accessor.element.components() * byte_count(accessor.component);
+    accessor.sparse = {};
+    accessors_.push_back(accessor);
+    return static_cast<Index>(accessors_.size() - 1);
 }
 
 FileBytes Document::read_file(std::string_view uri, const Place& place) {

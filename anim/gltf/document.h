@@ -3,6 +3,7 @@
 
 #include "anim/gltf/accessor.h"
 #include "anim/gltf/budget.h"
+#include "anim/gltf/buffer_views.h"
 #include "anim/gltf/json.h"
 #include "anim/gltf/place.h"
 #include "anim/scene.h"
@@ -38,12 +39,22 @@ public:
     /// The array of that name; nothing when the file has none.
     [[nodiscard]] std::vector<Place> all(std::string_view array) const;
 
-    /// Fetches every buffer, from the file itself or from beside it, and resolves the accessors.
+    /// Fetches every buffer, from the file itself or from beside it, decompresses buffer views, and resolves
+    /// the accessors.
     /// The shape must have been validated.
     void read_buffers();
 
     [[nodiscard]] std::span<const Accessor> accessors() const { return accessors_; }
-    [[nodiscard]] std::span<const std::byte> view(Index buffer_view) const;
+    [[nodiscard]] std::span<const std::byte> view(Index buffer_view) const {
+        return views_.bytes[buffer_view];
+    }
+
+    /// Adds an accessor to those of the file; its index. Earlier `accessors()` are void.
+    ///
+    /// @param bytes  its elements, tightly packed, for which the budget has been charged
+    Index add_accessor(Accessor accessor, std::vector<std::byte> bytes);
+    /// For rewriting what refers to accessors. Places inside what is replaced are void.
+    [[nodiscard]] Json& json() { return json_; }
 
     /// The bytes of the file that a URI names, if it leads to one inside the model's folder.
     /// @throws Error at `place` when the budget does not allow it
@@ -61,13 +72,16 @@ public:
     }
 
 private:
+    [[nodiscard]] std::span<const std::byte> read_buffer(const Place& place, std::size_t number);
+
     std::string file_;
     std::filesystem::path folder_;
     Json json_;
     std::span<const std::byte> binary_;
     bool is_binary_ = false;
-    std::vector<std::vector<std::byte>> owned_;  ///< buffers that are not the BIN chunk
+    std::vector<std::vector<std::byte>> owned_;  ///< buffers that are not the BIN chunk, and added accessors
     std::vector<std::span<const std::byte>> buffers_;
+    BufferViews views_;
     std::vector<Accessor> accessors_;
     std::set<std::filesystem::path> files_read_;
     Budget budget_;

@@ -5,45 +5,52 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <string>
+#include <vector>
 
 namespace gridreel::anim::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 2> supported{"KHR_lights_punctual", "KHR_mesh_quantization"};
+using enum Treatment;
 
-bool is_supported(std::string_view name) {
-    return std::find(supported.begin(), supported.end(), name) != supported.end();
-}
+constexpr std::string_view plain_images = "export the model with PNG or JPEG textures";
+constexpr std::string_view left_out = "export the model without what is not supported";
+constexpr std::string_view undrawn = "read, and not drawn yet";
+constexpr std::string_view unread = "not read: surfaces are drawn without it";
 
-/// What to do about a required extension.
-std::string_view remedy_for(std::span<const std::string> names) {
-    const auto has = [&](std::string_view part) {
-        return std::any_of(names.begin(), names.end(),
-                           [&](const std::string& name) { return name.find(part) != name.npos; });
-    };
-    if (has("draco") || has("meshopt")) return "export the model without mesh compression";
-    if (has("basisu") || has("webp")) return "export the model with PNG or JPEG textures";
-    return "export the model without these extensions";
-}
-
-struct Version {
-    int major = 0, minor = 0;
+constexpr std::array extensions{
+    Extension{"EXT_mesh_gpu_instancing", honoured},
+    Extension{"EXT_meshopt_compression", honoured},
+    Extension{"EXT_texture_avif", refused, plain_images},
+    Extension{"EXT_texture_webp", honoured},
+    Extension{"KHR_animation_pointer", honoured},
+    Extension{"KHR_draco_mesh_compression", honoured},
+    Extension{"KHR_lights_punctual", honoured},
+    Extension{"KHR_materials_anisotropy", approximated, unread},
+    Extension{"KHR_materials_clearcoat", approximated, undrawn},
+    Extension{"KHR_materials_diffuse_transmission", approximated, unread},
+    Extension{"KHR_materials_dispersion", approximated, unread},
+    Extension{"KHR_materials_emissive_strength", honoured},
+    Extension{"KHR_materials_ior", approximated, undrawn},
+    Extension{"KHR_materials_iridescence", approximated, unread},
+    Extension{"KHR_materials_pbrSpecularGlossiness", refused,
+              "convert the materials: npx @gltf-transform/cli metalrough IN.glb OUT.glb"},
+    Extension{"KHR_materials_sheen", approximated, undrawn},
+    Extension{"KHR_materials_specular", approximated, undrawn},
+    Extension{"KHR_materials_transmission", approximated, "read, and drawn opaque until it is shaded"},
+    Extension{"KHR_materials_unlit", honoured},
+    Extension{"KHR_materials_variants", honoured},
+    Extension{"KHR_materials_volume", approximated, undrawn},
+    Extension{"KHR_mesh_quantization", honoured},
+    Extension{"KHR_meshopt_compression", honoured},
+    Extension{"KHR_node_visibility", honoured},
+    Extension{"KHR_texture_basisu", approximated,
+              "drawn from the texture's other image; refused where there is none"},
+    Extension{"KHR_texture_transform", honoured},
+    Extension{"KHR_xmp", ignored},
+    Extension{"KHR_xmp_json_ld", ignored},
+    Extension{"MSFT_texture_dds", refused, plain_images},
 };
-
-/// "<major>.<minor>", both digits only.
-Version read_version(const Place& place) {
-    const std::string& text = place.text();
-    const auto is_number = [](std::string_view part) {
-        return !part.empty() && part.size() <= 4 &&
-               std::all_of(part.begin(), part.end(), [](unsigned char c) { return std::isdigit(c); });
-    };
-    const auto dot = text.find('.');
-    if (dot == text.npos || !is_number(text.substr(0, dot)) || !is_number(text.substr(dot + 1)))
-        place.refuse(fmt::format("\"{}\" is not a version like \"2.0\"", text),
-                     "export the model as glTF 2.0");
-    return {.major = std::stoi(text.substr(0, dot)), .minor = std::stoi(text.substr(dot + 1))};
-}
 
 std::vector<Place> names_in(const Place& root, std::string_view array) {
     std::vector<Place> names;
@@ -52,50 +59,59 @@ std::vector<Place> names_in(const Place& root, std::string_view array) {
     return names;
 }
 
-void check_version(const Place& root) {
-    const Place asset = root.at("asset");
-    if (const auto least = asset.find("minVersion")) {
-        const Version version = read_version(*least);
-        if (version.major != 2 || version.minor > 0)
-            least->refuse(
-                fmt::format("the file needs a reader of glTF {}; this one reads 2.0", least->text()),
-                "export the model as glTF 2.0");
+bool lists(const Place& root, std::string_view array, std::string_view name) {
+    const std::vector<Place> names = names_in(root, array);
+    return std::any_of(names.begin(), names.end(), [&](const Place& place) { return place.text() == name; });
+}
+
+void check_required(const Place& root) {
+    std::vector<std::string> missing;
+    std::vector<std::string_view> remedies;
+    for (const Place& name : names_in(root, "extensionsRequired")) {
+        const Extension* const extension = find_extension(name.text());
+        if (extension && extension->treatment != refused) continue;
+        missing.push_back(name.text());
+        const std::string_view remedy = extension ? extension->note : left_out;
+        if (std::find(remedies.begin(), remedies.end(), remedy) == remedies.end()) remedies.push_back(remedy);
     }
-    const Place version = asset.at("version");
-    if (read_version(version).major != 2)
-        version.refuse(fmt::format("the file is glTF {}; glTF 2 is read", version.text()),
-                       "export the model as glTF 2.0");
+    if (missing.empty()) return;
+    root.at("extensionsRequired")
+        .refuse(fmt::format("the model requires {}, which {} not supported", fmt::join(missing, ", "),
+                            missing.size() == 1 ? "is" : "are"),
+                fmt::format("{}", fmt::join(remedies, "; ")));
 }
 
 }  // namespace
 
-void check_version_and_extensions(Document& document) {
+std::span<const Extension> known_extensions() {
+    return extensions;
+}
+
+const Extension* find_extension(std::string_view name) {
+    const auto* const found = std::find_if(extensions.begin(), extensions.end(),
+                                           [&](const Extension& entry) { return entry.name == name; });
+    return found == extensions.end() ? nullptr : found;
+}
+
+void check_extensions(Document& document) {
     const Place root = document.root();
-    if (!std::holds_alternative<Json::Object>(root.json().value))
-        root.refuse("the JSON is not an object", "this does not look like glTF: check the file");
-    check_version(root);
-
-    // Required.
-    std::vector<std::string> missing;
-    for (const Place& name : names_in(root, "extensionsRequired"))
-        if (!is_supported(name.text())) missing.push_back(name.text());
-    if (!missing.empty()) {
-        root.at("extensionsRequired")
-            .refuse(fmt::format("the model requires {}, which {} not supported", fmt::join(missing, ", "),
-                                missing.size() == 1 ? "is" : "are"),
-                    remedy_for(missing));
+    check_required(root);
+    for (const Place& name : names_in(root, "extensionsUsed")) {
+        const Extension* const extension = find_extension(name.text());
+        if (!extension) {
+            document.warn(name, fmt::format("{} is not known; it is ignored", name.text()));
+        } else if (extension->treatment == refused) {
+            document.warn(name, fmt::format("{} is not supported; it is ignored", name.text()));
+        }
     }
+}
 
-    // Used.
-    for (const Place& name : names_in(root, "extensionsUsed"))
-        if (!is_supported(name.text())) document.warn(name, fmt::format("{} is ignored", name.text()));
+bool requires_extension(const Place& root, std::string_view name) {
+    return lists(root, "extensionsRequired", name);
 }
 
 bool lists_extension(const Place& root, std::string_view name) {
-    for (const auto array : {"extensionsUsed", "extensionsRequired"})
-        for (const Place& place : names_in(root, array))
-            if (place.text() == name) return true;
-    return false;
+    return lists(root, "extensionsUsed", name) || requires_extension(root, name);
 }
 
 }  // namespace gridreel::anim::gltf

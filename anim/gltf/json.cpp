@@ -135,6 +135,10 @@ const Json* Json::find(std::string_view name) const {
     return found == object->end() ? nullptr : &found->second;
 }
 
+Json* Json::find(std::string_view name) {
+    return const_cast<Json*>(std::as_const(*this).find(name));
+}
+
 Json parse_json(std::string_view text, std::string_view where) {
     TreeBuilder builder(where);
     nlohmann::json::sax_parse(text.begin(), text.end(), &builder);

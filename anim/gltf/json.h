@@ -18,6 +18,7 @@ struct Json {
 
     /// The property of that name; null when absent or when this is not an object.
     [[nodiscard]] const Json* find(std::string_view name) const;
+    [[nodiscard]] Json* find(std::string_view name);
 };
 
 /// Parses UTF-8 text.

@@ -36,6 +36,12 @@ std::optional<Place> Place::find(std::string_view name) const {
     return step(*found, name);
 }
 
+std::optional<Place> Place::find_extension(std::string_view name) const {
+    const auto extensions = find("extensions");
+    if (!extensions) return {};
+    return extensions->find(name);
+}
+
 Place Place::at(std::string_view name) const {
     const Json* const found = json_->find(name);
     if (!found) refuse(fmt::format("the property \"{}\" is missing", name));
@@ -81,6 +87,11 @@ const std::string& Place::text() const {
 bool Place::boolean_or(std::string_view name, bool otherwise) const {
     const auto property = find(name);
     return property ? property->boolean() : otherwise;
+}
+
+double Place::number_or(std::string_view name, double otherwise) const {
+    const auto property = find(name);
+    return property ? property->number() : otherwise;
 }
 
 std::size_t Place::integer_or(std::string_view name, std::size_t otherwise) const {

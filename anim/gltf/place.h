@@ -24,6 +24,8 @@ public:
     [[nodiscard]] std::optional<Place> find(std::string_view name) const;
     /// The property of that name, which must be there.
     [[nodiscard]] Place at(std::string_view name) const;
+    /// The extension of that name, if this object carries it.
+    [[nodiscard]] std::optional<Place> find_extension(std::string_view name) const;
     [[nodiscard]] bool has(std::string_view name) const { return json_->find(name) != nullptr; }
 
     /// Items of an array; 0 for anything else.
@@ -41,6 +43,7 @@ public:
 
     /// The property's value, or the default when it is absent.
     [[nodiscard]] bool boolean_or(std::string_view name, bool otherwise) const;
+    [[nodiscard]] double number_or(std::string_view name, double otherwise) const;
     [[nodiscard]] std::size_t integer_or(std::string_view name, std::size_t otherwise) const;
     [[nodiscard]] std::string text_or(std::string_view name, std::string_view otherwise) const;
     [[nodiscard]] std::optional<Index> find_index(std::string_view name) const;

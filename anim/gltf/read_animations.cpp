@@ -1,31 +1,20 @@
 #include "anim/gltf/read_animations.h"
 
+#include "anim/gltf/channel_target.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <set>
-#include <utility>
+#include <string>
+#include <tuple>
 
 namespace gridreel::anim::gltf {
 namespace {
-
-std::optional<ChannelPath> path_named(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, ChannelPath>, 4> paths{{
-        {"translation", ChannelPath::translation},
-        {"rotation", ChannelPath::rotation},
-        {"scale", ChannelPath::scale},
-        {"weights", ChannelPath::weights},
-    }};
-    const auto found =
-        std::find_if(paths.begin(), paths.end(), [&](const auto& path) { return path.first == name; });
-    if (found == paths.end()) return {};
-    return found->second;
-}
 
 Interpolation interpolation_named(std::string_view name) {
     if (name == "STEP") return Interpolation::step;
@@ -56,7 +45,15 @@ void check_rotations(const Sampler& sampler, const Place& place) {
     }
 }
 
-Sampler read_sampler(Document& document, const Place& place, ChannelPath path) {
+/// What the file calls the target.
+std::string target_name(const Place& target) {
+    const auto extensions = target.find("extensions");
+    const auto pointer = extensions ? extensions->find("KHR_animation_pointer") : std::optional<Place>{};
+    if (pointer) return pointer->at("pointer").text();
+    return fmt::format("/nodes/{}/{}", target.at("node").index(), target.at("path").text());
+}
+
+Sampler read_sampler(Document& document, const Place& place) {
     Sampler sampler;
     sampler.interpolation = interpolation_named(place.text_or("interpolation", "LINEAR"));
     sampler.times_s = read_times(document, place.at("input"));
@@ -67,35 +64,60 @@ Sampler read_sampler(Document& document, const Place& place, ChannelPath path) {
         if (!std::isfinite(value)) output.refuse(fmt::format("a key value is {}", value));
     const std::size_t per_key = sampler.interpolation == Interpolation::cubic_spline ? 3 : 1;
     sampler.width = static_cast<std::uint32_t>(sampler.values.size() / (sampler.times_s.size() * per_key));
-    if (path == ChannelPath::rotation) check_rotations(sampler, output);
     return sampler;
+}
+
+/// The channels of one animation as they are read: what they drive, and what there is to warn of.
+struct Channels {
+    std::map<std::size_t, Index> kept;  ///< the file's sampler -> ours
+    std::set<std::tuple<ChannelPath, Index, Index>> driven;
+    std::set<std::string> ignored, repeated, blended_flags;
+};
+
+void read_channel(Document& document, const Place& channel, const Place& samplers, Channels& channels,
+                  Animation& animation) {
+    const Place place = channel.at("target");
+    const ResolvedTarget resolved = resolve_target(place, document.root());
+    if (!resolved.ignored.empty()) channels.ignored.insert(resolved.ignored);
+    if (!resolved.target) return;
+    const ChannelTarget& target = *resolved.target;
+
+    const std::size_t sampler = channel.at("sampler").integer();
+    const auto [entry, is_new] =
+        channels.kept.emplace(sampler, static_cast<Index>(animation.samplers.size()));
+    if (is_new) animation.samplers.push_back(read_sampler(document, samplers[sampler]));
+    if (target.path == ChannelPath::rotation)
+        check_rotations(animation.samplers[entry->second], samplers[sampler].at("output"));
+    animation.channels.push_back({.object = target.object,
+                                  .path = target.path,
+                                  .property = target.property,
+                                  .sampler = entry->second});
+
+    if (!channels.driven.emplace(target.path, target.object, target.property).second)
+        channels.repeated.insert(target_name(place));
+    if (target.path == ChannelPath::visibility &&
+        animation.samplers[entry->second].interpolation != Interpolation::step)
+        channels.blended_flags.insert(target_name(place));
 }
 
 Animation read_animation(Document& document, const Place& place) {
     Animation animation;
     animation.name = place.text_or("name", "");
-    const Place samplers = place.at("samplers"), channels = place.at("channels");
-    std::map<std::size_t, Index> kept;  // the file's sampler → ours
-    std::set<std::string> unknown_paths;
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-        const Place target = channels[i].at("target");
-        const std::string& path_name = target.at("path").text();
-        const auto path = path_named(path_name);
-        if (!path) {
-            unknown_paths.insert(path_name);
-            continue;
-        }
-        const auto node = target.find_index("node");
-        if (!node) continue;
+    Channels channels;
+    const Place list = place.at("channels");
+    for (std::size_t i = 0; i < list.size(); ++i)
+        read_channel(document, list[i], place.at("samplers"), channels, animation);
 
-        const std::size_t sampler = channels[i].at("sampler").integer();
-        const auto [entry, is_new] = kept.emplace(sampler, static_cast<Index>(animation.samplers.size()));
-        if (is_new) animation.samplers.push_back(read_sampler(document, samplers[sampler], *path));
-        animation.channels.push_back({.node = *node, .path = *path, .sampler = entry->second});
-    }
-    if (!unknown_paths.empty())
-        document.warn(place, fmt::format("channels on paths that are not supported are left out: {}",
-                                         fmt::join(unknown_paths, ", ")));
+    if (!channels.ignored.empty())
+        document.warn(place,
+                      fmt::format("what these channels animate is not supported, and stays as it is: {}",
+                                  fmt::join(channels.ignored, ", ")));
+    if (!channels.repeated.empty())
+        document.warn(place, fmt::format("animated more than once, of which the last counts: {}",
+                                         fmt::join(channels.repeated, ", ")));
+    if (!channels.blended_flags.empty())
+        document.warn(place, fmt::format("a flag cannot be blended; it changes at its keys: {}",
+                                         fmt::join(channels.blended_flags, ", ")));
     return animation;
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <set>
 
 namespace gridreel::anim::gltf {
 namespace {
@@ -102,6 +103,24 @@ std::vector<MorphTarget> read_targets(Document& document, const Place& primitive
     return targets;
 }
 
+/// KHR_materials_variants. Where two mappings name one variant, which the extension forbids, the first
+/// counts.
+std::vector<VariantMaterial> read_variant_materials(const Place& place) {
+    std::vector<VariantMaterial> materials;
+    const auto extension = place.find_extension("KHR_materials_variants");
+    if (!extension) return materials;
+    const Place mappings = extension->at("mappings");
+    std::set<Index> mapped;
+    for (std::size_t i = 0; i < mappings.size(); ++i) {
+        const Place variants = mappings[i].at("variants");
+        for (std::size_t k = 0; k < variants.size(); ++k)
+            if (mapped.insert(variants[k].index()).second)
+                materials.push_back(
+                    {.variant = variants[k].index(), .material = mappings[i].at("material").index()});
+    }
+    return materials;
+}
+
 /// Absent, with a warning, for what cannot be drawn as triangles.
 std::optional<Primitive> read_primitive(Document& document, const Place& place) {
     const auto topology = static_cast<Topology>(place.integer_or("mode", 4));
@@ -131,6 +150,7 @@ std::optional<Primitive> read_primitive(Document& document, const Place& place) 
     primitive.influences = read_influences(document, attributes);
     primitive.targets = read_targets(document, place, primitive);
     primitive.material = place.find_index("material");
+    primitive.variant_materials = read_variant_materials(place);
 
     if (!is_whole(topology, indices.size()))
         document.warn(place, fmt::format("{} indices do not make whole triangles", indices.size()));

@@ -22,17 +22,51 @@ constexpr std::array index_component_types{5121, 5123, 5125};
 constexpr std::array<std::string_view, 7> element_types{"SCALAR", "VEC2", "VEC3", "VEC4",
                                                         "MAT2",   "MAT3", "MAT4"};
 
+constexpr Property fallback_properties[] = {
+    {.name = "fallback", .kind = boolean},
+};
+constexpr Shape fallback{fallback_properties};
+
+constexpr Property buffer_extension_properties[] = {
+    {.name = "EXT_meshopt_compression", .kind = object, .shape = &fallback},
+    {.name = "KHR_meshopt_compression", .kind = object, .shape = &fallback},
+};
+constexpr Shape buffer_extensions{buffer_extension_properties};
+
 constexpr Property buffer_properties[] = {
     {.name = "uri", .kind = text},
     {.name = "byteLength", .kind = integer, .required = true, .most = any_integer},
+    {.name = "extensions", .kind = object, .shape = &buffer_extensions},
 };
 constexpr Shape buffer{buffer_properties};
+
+constexpr std::array<std::string_view, 3> meshopt_modes{"ATTRIBUTES", "TRIANGLES", "INDICES"};
+constexpr std::array<std::string_view, 5> meshopt_filters{"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL",
+                                                          "COLOR"};
+
+constexpr Property meshopt_properties[] = {
+    {.name = "buffer", .kind = index, .required = true, .into = "buffers"},
+    {.name = "byteOffset", .kind = integer, .most = any_integer},
+    {.name = "byteLength", .kind = integer, .required = true, .least = 1, .most = any_integer},
+    {.name = "byteStride", .kind = integer, .required = true, .least = 1, .most = 256},
+    {.name = "count", .kind = integer, .required = true, .least = 1, .most = any_integer},
+    {.name = "mode", .kind = text, .required = true, .words = meshopt_modes},
+    {.name = "filter", .kind = text, .words = meshopt_filters},
+};
+constexpr Shape meshopt{meshopt_properties};
+
+constexpr Property view_extension_properties[] = {
+    {.name = "EXT_meshopt_compression", .kind = object, .shape = &meshopt},
+    {.name = "KHR_meshopt_compression", .kind = object, .shape = &meshopt},
+};
+constexpr Shape view_extensions{view_extension_properties};
 
 constexpr Property view_properties[] = {
     {.name = "buffer", .kind = index, .required = true, .into = "buffers"},
     {.name = "byteOffset", .kind = integer, .most = any_integer},
     {.name = "byteLength", .kind = integer, .required = true, .most = any_integer},
     {.name = "byteStride", .kind = integer, .least = 4, .most = 252},
+    {.name = "extensions", .kind = object, .shape = &view_extensions},
 };
 constexpr Shape view{view_properties};
 
@@ -74,7 +108,19 @@ constexpr Property light_reference_properties[] = {
 };
 constexpr Shape light_reference{light_reference_properties};
 
+constexpr Property visibility_properties[] = {
+    {.name = "visible", .kind = boolean},
+};
+constexpr Shape visibility{visibility_properties};
+
+constexpr Property instancing_properties[] = {
+    {.name = "attributes", .kind = index_map, .into = "accessors"},
+};
+constexpr Shape instancing{instancing_properties};
+
 constexpr Property node_extension_properties[] = {
+    {.name = "KHR_node_visibility", .kind = object, .shape = &visibility},
+    {.name = "EXT_mesh_gpu_instancing", .kind = object, .shape = &instancing},
     {.name = "KHR_lights_punctual", .kind = object, .shape = &light_reference},
 };
 constexpr Shape node_extensions{node_extension_properties};
@@ -109,12 +155,38 @@ constexpr Shape skin{skin_properties};
 
 constexpr std::array modes{0, 1, 2, 3, 4, 5, 6};
 
+// The names and identifiers in `attributes` are checked where they are looked up.
+constexpr Shape draco_attributes{};
+constexpr Property draco_properties[] = {
+    {.name = "bufferView", .kind = index, .required = true, .into = "bufferViews"},
+    {.name = "attributes", .kind = object, .required = true, .shape = &draco_attributes},
+};
+constexpr Shape draco{draco_properties};
+
+constexpr Property variant_mapping_properties[] = {
+    {.name = "variants", .kind = index, .required = true, .list = true, .length = one, .into = "variants"},
+    {.name = "material", .kind = index, .required = true, .into = "materials"},
+};
+constexpr Shape variant_mapping{variant_mapping_properties};
+
+constexpr Property variant_mappings_properties[] = {
+    {.name = "mappings", .kind = object, .required = true, .list = true, .shape = &variant_mapping},
+};
+constexpr Shape variant_mappings{variant_mappings_properties};
+
+constexpr Property primitive_extension_properties[] = {
+    {.name = "KHR_draco_mesh_compression", .kind = object, .shape = &draco},
+    {.name = "KHR_materials_variants", .kind = object, .shape = &variant_mappings},
+};
+constexpr Shape primitive_extensions{primitive_extension_properties};
+
 constexpr Property primitive_properties[] = {
     {.name = "attributes", .kind = index_map, .required = true, .into = "accessors"},
     {.name = "indices", .kind = index, .into = "accessors"},
     {.name = "material", .kind = index, .into = "materials"},
     {.name = "mode", .kind = integer, .codes = modes},
     {.name = "targets", .kind = index_map, .list = true, .into = "accessors"},
+    {.name = "extensions", .kind = object, .shape = &primitive_extensions},
 };
 constexpr Shape primitive{primitive_properties};
 
@@ -140,9 +212,20 @@ constexpr Property animation_sampler_properties[] = {
 };
 constexpr Shape animation_sampler{animation_sampler_properties};
 
+constexpr Property animation_pointer_properties[] = {
+    {.name = "pointer", .kind = text, .required = true},
+};
+constexpr Shape animation_pointer{animation_pointer_properties};
+
+constexpr Property target_extension_properties[] = {
+    {.name = "KHR_animation_pointer", .kind = object, .shape = &animation_pointer},
+};
+constexpr Shape target_extensions{target_extension_properties};
+
 constexpr Property target_properties[] = {
     {.name = "node", .kind = index, .into = "nodes"},
     {.name = "path", .kind = text, .required = true},
+    {.name = "extensions", .kind = object, .shape = &target_extensions},
 };
 constexpr Shape target{target_properties};
 
@@ -159,7 +242,8 @@ constexpr Property animation_properties[] = {
 };
 constexpr Shape animation{animation_properties};
 
-// --- Looks -------------------------------------------------------------------------------------
+// --- Cameras and lights
+// -------------------------------------------------------------------------------------
 
 constexpr std::array<std::string_view, 2> camera_types{"perspective", "orthographic"};
 
@@ -206,60 +290,6 @@ constexpr Property light_properties[] = {
 };
 constexpr Shape light{light_properties};
 
-constexpr Property texture_info_properties[] = {
-    {.name = "index", .kind = index, .required = true, .into = "textures"},
-    {.name = "texCoord", .kind = integer, .most = 65535},
-};
-constexpr Shape texture_info{texture_info_properties};
-
-constexpr Property metallic_roughness_properties[] = {
-    {.name = "baseColorFactor", .kind = number, .list = true, .length = exactly(4), .least = 0, .most = 1},
-    {.name = "baseColorTexture", .kind = object, .shape = &texture_info},
-    {.name = "metallicFactor", .kind = number, .least = 0, .most = 1},
-    {.name = "roughnessFactor", .kind = number, .least = 0, .most = 1},
-    {.name = "metallicRoughnessTexture", .kind = object, .shape = &texture_info},
-};
-constexpr Shape metallic_roughness{metallic_roughness_properties};
-
-constexpr std::array<std::string_view, 3> alpha_modes{"OPAQUE", "MASK", "BLEND"};
-
-constexpr Property material_properties[] = {
-    {.name = "pbrMetallicRoughness", .kind = object, .shape = &metallic_roughness},
-    {.name = "normalTexture", .kind = object, .shape = &texture_info},
-    {.name = "occlusionTexture", .kind = object, .shape = &texture_info},
-    {.name = "emissiveTexture", .kind = object, .shape = &texture_info},
-    {.name = "emissiveFactor", .kind = number, .list = true, .length = exactly(3), .least = 0},
-    {.name = "alphaMode", .kind = text, .words = alpha_modes},
-    {.name = "alphaCutoff", .kind = number, .least = 0},
-    {.name = "doubleSided", .kind = boolean},
-};
-constexpr Shape material{material_properties};
-
-constexpr std::array mag_filters{9728, 9729};
-constexpr std::array min_filters{9728, 9729, 9984, 9985, 9986, 9987};
-constexpr std::array wraps{10497, 33071, 33648};
-
-constexpr Property texture_sampler_properties[] = {
-    {.name = "magFilter", .kind = integer, .codes = mag_filters},
-    {.name = "minFilter", .kind = integer, .codes = min_filters},
-    {.name = "wrapS", .kind = integer, .codes = wraps},
-    {.name = "wrapT", .kind = integer, .codes = wraps},
-};
-constexpr Shape texture_sampler{texture_sampler_properties};
-
-constexpr Property texture_properties[] = {
-    {.name = "sampler", .kind = index, .into = "samplers"},
-    {.name = "source", .kind = index, .into = "images"},
-};
-constexpr Shape texture{texture_properties};
-
-constexpr Property image_properties[] = {
-    {.name = "uri", .kind = text},
-    {.name = "mimeType", .kind = text},
-    {.name = "bufferView", .kind = index, .into = "bufferViews"},
-};
-constexpr Shape image{image_properties};
-
 // --- The file ----------------------------------------------------------------------------------
 
 constexpr Property asset_properties[] = {
@@ -273,8 +303,19 @@ constexpr Property lights_properties[] = {
 };
 constexpr Shape lights{lights_properties};
 
+constexpr Property variant_properties[] = {
+    {.name = "name", .kind = text, .required = true},
+};
+constexpr Shape variant{variant_properties};
+
+constexpr Property variants_properties[] = {
+    {.name = "variants", .kind = object, .required = true, .list = true, .shape = &variant},
+};
+constexpr Shape variants{variants_properties};
+
 constexpr Property root_extension_properties[] = {
     {.name = "KHR_lights_punctual", .kind = object, .shape = &lights},
+    {.name = "KHR_materials_variants", .kind = object, .shape = &variants},
 };
 constexpr Shape root_extensions{root_extension_properties};
 
@@ -293,10 +334,10 @@ constexpr Property root_properties[] = {
     {.name = "meshes", .kind = object, .list = true, .shape = &mesh},
     {.name = "animations", .kind = object, .list = true, .shape = &animation},
     {.name = "cameras", .kind = object, .list = true, .shape = &camera},
-    {.name = "materials", .kind = object, .list = true, .shape = &material},
-    {.name = "samplers", .kind = object, .list = true, .shape = &texture_sampler},
-    {.name = "textures", .kind = object, .list = true, .shape = &texture},
-    {.name = "images", .kind = object, .list = true, .shape = &image},
+    {.name = "materials", .kind = object, .list = true, .shape = &material_shape},
+    {.name = "samplers", .kind = object, .list = true, .shape = &texture_sampler_shape},
+    {.name = "textures", .kind = object, .list = true, .shape = &texture_shape},
+    {.name = "images", .kind = object, .list = true, .shape = &image_shape},
 };
 constexpr Shape root{root_properties};
 

@@ -34,7 +34,7 @@ struct Property {
     Length length{};
     double least = -std::numeric_limits<float>::max(), most = std::numeric_limits<float>::max();
     bool above_least = false;  ///< `least` itself is refused
-    std::string_view into{};   ///< an array of the root, or "lights" for those of KHR_lights_punctual
+    std::string_view into{};   ///< an array of the root; or "lights", "variants" of their extension there
     std::span<const std::string_view> words{};
     std::span<const int> codes{};  ///< allowed integers; empty: any
     const Shape* shape = nullptr;
@@ -44,8 +44,11 @@ struct Shape {
     std::span<const Property> properties;
 };
 
-/// The root object: every property that this reader looks at (glTF 2.0, chapter 5, and KHR_lights_punctual).
-/// Others are left alone. Empty arrays are tolerated.
+/// The root object: every property that this reader looks at (glTF 2.0, chapter 5, and the extensions that it
+/// knows). Others are left alone. Empty arrays are tolerated.
 [[nodiscard]] const Shape& root_shape();
+
+// Parts of it that have a file of their own: what surfaces look like.
+extern const Shape material_shape, texture_shape, texture_sampler_shape, image_shape;
 
 }  // namespace gridreel::anim::gltf

@@ -11,27 +11,58 @@ namespace gridreel::anim::gltf {
 namespace {
 
 struct Look {
-    std::string_view property;
-    std::string_view article;
+    std::string_view place;  ///< property or extension of a material
+    std::string_view words;
+    bool (*shows)(const Material&) = [](const Material&) { return true; };
+    std::string_view fate = "it is not drawn yet";
 };
 
-constexpr std::array looks{Look{"normalTexture", "a"}, Look{"occlusionTexture", "an"}};
+constexpr std::array looks{
+    Look{"normalTexture", "a normal map", [](const Material& m) { return m.normal_scale != 0.0f; }},
+    Look{"occlusionTexture", "an occlusion map",
+         [](const Material& m) { return m.occlusion_strength != 0.0f; }},
+    Look{"KHR_materials_ior", "an index of refraction other than 1.5",
+         [](const Material& m) { return m.ior != 1.5f; }},
+    Look{"KHR_materials_specular", "reflections of a strength or colour other than the default",
+         [](const Material& m) {
+             const Specular& s = m.specular;
+             return s.factor != 1.0f || s.color != glm::vec3(1.0f) || s.texture || s.color_texture;
+         }},
+    Look{"KHR_materials_clearcoat", "a clearcoat",
+         [](const Material& m) { return m.clearcoat.factor > 0.0f; }},
+    Look{"KHR_materials_sheen", "a sheen",
+         [](const Material& m) { return m.sheen.color != glm::vec3(0.0f); }},
+    Look{"KHR_materials_transmission", "transmission",
+         [](const Material& m) { return m.transmission.factor > 0.0f; },
+         "until it is drawn, such surfaces are opaque"},
+    Look{"KHR_materials_volume", "a volume", [](const Material& m) { return m.volume.thickness_m > 0.0f; }},
+    Look{"KHR_materials_anisotropy", "anisotropy"},
+    Look{"KHR_materials_diffuse_transmission", "diffuse transmission"},
+    Look{"KHR_materials_dispersion", "dispersion"},
+    Look{"KHR_materials_iridescence", "iridescence"},
+};
+
+std::optional<Place> find_look(const Place& material, std::string_view name) {
+    return name.starts_with("KHR_") ? material.find_extension(name) : material.find(name);
+}
 
 }  // namespace
 
-void warn_of_undrawn_looks(Document& document) {
-    for (const auto& [property, article] : looks) {
+void warn_of_undrawn_looks(Document& document, std::span<const Material> materials) {
+    const auto places = document.all("materials");
+    for (const Look& look : looks) {
         std::optional<Place> first;
         std::size_t count = 0;
-        for (const Place& material : document.all("materials")) {
-            const auto texture = material.find(property);
-            if (!texture) continue;
-            if (!first) first = texture;
+        for (std::size_t i = 0; i < materials.size(); ++i) {
+            const auto place = find_look(places[i], look.place);
+            if (!place || materials[i].unlit || !look.shows(materials[i])) continue;
+            if (!first) first = place;
             ++count;
         }
         if (!first) continue;
-        document.warn(*first, fmt::format("{} {} {} {}; it is not drawn yet", count,
-                                          count == 1 ? "material has" : "materials have", article, property));
+        document.warn(*first,
+                      fmt::format("{} {} {}; {}", count, count == 1 ? "material has" : "materials have",
+                                  look.words, look.fate));
     }
 }
 

@@ -2,12 +2,17 @@
 // What materials ask for and no picture shows yet.
 
 #include "anim/gltf/document.h"
+#include "anim/scene.h"
+
+#include <span>
 
 namespace gridreel::anim::gltf {
 
-/// Warns of normal and occlusion textures (glTF 2.0, section 3.9.3): once for each kind, at the first
-/// material that has one, with the number of materials that do. Extensions are warned of as a whole
-/// (`check_version_and_extensions`). The shape must have been validated.
-void warn_of_undrawn_looks(Document& document);
+/// Warns of looks that are not drawn: once for each kind, at the first material that has it, with the number
+/// of materials that do. A look that is switched off, as a clearcoat of factor 0 is, does not count; nor does
+/// any but the base colour on an unlit material. The shape must have been validated.
+///
+/// @param materials  as read from the document
+void warn_of_undrawn_looks(Document& document, std::span<const Material> materials);
 
 }  // namespace gridreel::anim::gltf

@@ -16,6 +16,10 @@ void validate_shape(const Place& root);
 /// and 3.7.3).
 void validate_nodes(const Place& root, std::span<const Accessor> accessors);
 
+/// Instances of a node have as many translations, rotations and scales, of the right types
+/// (EXT_mesh_gpu_instancing).
+void validate_instances(const Place& root, std::span<const Accessor> accessors);
+
 /// Attributes, indices and morph targets have types and counts that fit together (section 3.7.2).
 void validate_meshes(const Place& root, std::span<const Accessor> accessors);
 

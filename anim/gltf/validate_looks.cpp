@@ -33,8 +33,7 @@ void validate_cameras_and_lights(const Place& root) {
     const auto cameras = root.find("cameras");
     for (std::size_t i = 0; cameras && i < cameras->size(); ++i) check_camera((*cameras)[i]);
 
-    const auto extensions = root.find("extensions");
-    const auto punctual = extensions ? extensions->find("KHR_lights_punctual") : std::optional<Place>{};
+    const auto punctual = root.find_extension("KHR_lights_punctual");
     if (!punctual) return;
     const Place lights = punctual->at("lights");
     for (std::size_t i = 0; i < lights.size(); ++i) check_light(lights[i]);

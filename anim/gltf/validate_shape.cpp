@@ -19,9 +19,12 @@ bool is_array(const Place& place) {
 /// Items of the array an index points into.
 std::size_t count_of(const Place& root, std::string_view array) {
     const Json* owner = &root.json();
-    if (array == "lights") {
+    const std::string_view extension = array == "lights"     ? "KHR_lights_punctual"
+                                       : array == "variants" ? "KHR_materials_variants"
+                                                             : "";
+    if (!extension.empty()) {
         owner = owner->find("extensions");
-        if (owner) owner = owner->find("KHR_lights_punctual");
+        if (owner) owner = owner->find(extension);
     }
     const Json* const found = owner ? owner->find(array) : nullptr;
     const auto* const items = found ? std::get_if<Json::Array>(&found->value) : nullptr;
@@ -97,11 +100,10 @@ void check_property(const Place& place, const Property& rule, const Place& root)
     if (!is_array(place)) place.refuse("this must be an array");
     const std::size_t count = place.size();
     if (count < rule.length.least || count > rule.length.most) {
-        const auto bound =
-            count < rule.length.least
-                ? fmt::format("{} {}", rule.length.least == rule.length.most ? "exactly" : "at least",
-                              rule.length.least)
-                : fmt::format("at most {}", rule.length.most);
+        const auto& [least, most] = rule.length;
+        const auto bound = least == most   ? fmt::format("exactly {}", least)
+                           : count < least ? fmt::format("at least {}", least)
+                                           : fmt::format("at most {}", most);
         place.refuse(fmt::format("\"{}\" has {} items; it must have {}", rule.name, count, bound));
     }
     for (std::size_t i = 0; i < count; ++i) check_value(place[i], rule, root);

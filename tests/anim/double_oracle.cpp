@@ -81,11 +81,17 @@ std::optional<Values> animated(const Scene& scene, const Clip& clip, Index node,
     std::optional<Values> last;
     for (const Index animation : clip.animations) {
         for (const Channel& channel : scene.animations[animation].channels) {
-            if (channel.node != node || channel.path != path) continue;
+            if (channel.object != node || channel.path != path) continue;
             last = sampled(scene.animations[animation].samplers[channel.sampler], path, time_s);
         }
     }
     return last;
+}
+
+glm::dmat4 local_of(const Trs& trs) {
+    const glm::dmat4 one{1.0};
+    return glm::translate(one, trs.translation) * glm::mat4_cast(glm::normalize(trs.rotation)) *
+           glm::scale(one, trs.scale);
 }
 
 glm::dmat4 world_of(const Scene& scene, const Clip& clip, Index index, double time_s) {
@@ -100,11 +106,9 @@ glm::dmat4 world_of(const Scene& scene, const Clip& clip, Index index, double ti
     if (const auto v = animated(scene, clip, index, ChannelPath::scale, time_s)) {
         scale = {(*v)[0], (*v)[1], (*v)[2]};
     }
-    const glm::dmat4 one{1.0};
-    const glm::dmat4 local = node.matrix
-                                 ? *node.matrix
-                                 : glm::translate(one, translation) *
-                                       glm::mat4_cast(glm::normalize(rotation)) * glm::scale(one, scale);
+    const glm::dmat4 local =
+        node.matrix ? *node.matrix
+                    : local_of({.translation = translation, .rotation = rotation, .scale = scale});
     return node.parent ? world_of(scene, clip, *node.parent, time_s) * local : local;
 }
 
@@ -165,23 +169,25 @@ std::vector<OracleVertex> oracle_vertices(const Scene& scene, const Clip& clip, 
             const Skin& skin = scene.skins[*node.skin];
             joints.push_back(world_of(scene, clip, skin.joints[j], time_s) * skin.inverse_bind[j]);
         }
-        for (const Primitive& primitive : scene.meshes[*node.mesh].primitives) {
-            const Influences& influences = primitive.influences;
-            for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
-                glm::dmat4 map = world;
-                if (node.skin && influences.per_vertex > 0) {
-                    map = glm::dmat4{0.0};
-                    double sum = 0.0;
-                    for (std::size_t i = 0; i < influences.per_vertex; ++i) {
-                        const std::size_t at = v * influences.per_vertex + i;
-                        map += double(influences.weights[at]) * joints[influences.joints[at]];
-                        sum += double(influences.weights[at]);
+        const std::size_t copies = std::max<std::size_t>(1, node.instances.size());
+        for (std::size_t copy = 0; copy < copies; ++copy)
+            for (const Primitive& primitive : scene.meshes[*node.mesh].primitives) {
+                const Influences& influences = primitive.influences;
+                for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
+                    glm::dmat4 map = node.instances.empty() ? world : world * local_of(node.instances[copy]);
+                    if (node.skin && influences.per_vertex > 0) {
+                        map = glm::dmat4{0.0};
+                        double sum = 0.0;
+                        for (std::size_t i = 0; i < influences.per_vertex; ++i) {
+                            const std::size_t at = v * influences.per_vertex + i;
+                            map += double(influences.weights[at]) * joints[influences.joints[at]];
+                            sum += double(influences.weights[at]);
+                        }
+                        map /= sum;
                     }
-                    map /= sum;
+                    vertices.push_back(place(primitive, weights, v, map));
                 }
-                vertices.push_back(place(primitive, weights, v, map));
             }
-        }
     }
     return vertices;
 }

@@ -164,6 +164,8 @@ Scene random_scene(std::uint32_t seed, const RandomSceneOptions& options) {
             const Index skin = dice.below(scene.skins.size());
             scene.nodes[node].skin = skin;
             add_influences(dice, primitive, scene.skins[skin].joints.size());
+        } else if (dice.one_in(3)) {
+            for (int i = 0; i < 3; ++i) scene.nodes[node].instances.push_back(random_trs(dice));
         }
         std::vector<float> weights(targets);
         for (float& weight : weights) weight = dice.one_in(3) ? 0.0f : dice.number(-0.5, 1);

@@ -171,7 +171,7 @@ TEST_CASE("morph weights of a key stand side by side", "[anim]") {
     std::array<float, 2> weights{};
 
     const Sampler linear = keys(Interpolation::linear, 2, {0, 1}, {0, 1, 1, 0.5f});
-    sample_weights(linear, 0.5, weights);
+    sample_numbers(linear, 0.5, weights);
     CHECK(weights == std::array{0.5f, 0.75f});
 
     // Cubic: both in-tangents, both values, both out-tangents. u = 1/2 as above, interval 1 s:
@@ -179,7 +179,7 @@ TEST_CASE("morph weights of a key stand side by side", "[anim]") {
     const Sampler cubic = keys(Interpolation::cubic_spline, 2, {0, 1},
                                {0, 0, 0, 2, 8, 0,  //
                                 0, 16, 1, 4, 0, 0});
-    sample_weights(cubic, 0.5, weights);
+    sample_numbers(cubic, 0.5, weights);
     CHECK(weights == std::array{1.5f, 1.0f});
 }
 

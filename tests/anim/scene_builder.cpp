@@ -102,7 +102,7 @@ Index add_animation(Scene& scene, std::string name) {
 
 void drive(Scene& scene, Index animation, Index node, ChannelPath path, Sampler sampler) {
     Animation& to = scene.animations[animation];
-    to.channels.push_back({.node = node, .path = path, .sampler = static_cast<Index>(to.samplers.size())});
+    to.channels.push_back({.object = node, .path = path, .sampler = static_cast<Index>(to.samplers.size())});
     to.samplers.push_back(std::move(sampler));
 }
 

@@ -96,6 +96,8 @@ TEST_CASE("every index out of range is refused where it is", "[validate]") {
         "/meshes/0/primitives/0/attributes/POSITION",
         "/meshes/0/primitives/0/indices",
         "/meshes/0/primitives/0/material",
+        "/meshes/0/primitives/0/extensions/KHR_materials_variants/mappings/0/material",
+        "/meshes/0/primitives/0/extensions/KHR_materials_variants/mappings/0/variants/1",
         "/meshes/0/primitives/0/targets/0/POSITION",
         "/accessors/0/bufferView",
         "/accessors/0/sparse/indices/bufferView",
@@ -103,11 +105,16 @@ TEST_CASE("every index out of range is refused where it is", "[validate]") {
         "/bufferViews/0/buffer",
         "/materials/0/pbrMetallicRoughness/baseColorTexture/index",
         "/materials/0/pbrMetallicRoughness/metallicRoughnessTexture/index",
+        "/materials/0/extensions/KHR_materials_clearcoat/clearcoatNormalTexture/index",
+        "/materials/0/extensions/KHR_materials_specular/specularColorTexture/index",
+        "/materials/0/extensions/KHR_materials_volume/thicknessTexture/index",
         "/materials/0/normalTexture/index",
         "/materials/0/occlusionTexture/index",
         "/materials/0/emissiveTexture/index",
         "/textures/0/source",
         "/textures/0/sampler",
+        "/textures/0/extensions/EXT_texture_webp/source",
+        "/textures/0/extensions/KHR_texture_basisu/source",
         "/images/0/bufferView",
         "/animations/0/samplers/0/input",
         "/animations/0/samplers/0/output",
@@ -141,7 +148,17 @@ TEST_CASE("every index out of range is refused where it is", "[validate]") {
         {{"pbrMetallicRoughness", {{"baseColorTexture", texture}, {"metallicRoughnessTexture", texture}}},
          {"normalTexture", texture},
          {"occlusionTexture", texture},
-         {"emissiveTexture", texture}}};
+         {"emissiveTexture", texture},
+         {"extensions",
+          {{"KHR_materials_clearcoat", {{"clearcoatNormalTexture", texture}}},
+           {"KHR_materials_specular", {{"specularColorTexture", texture}}},
+           {"KHR_materials_volume", {{"thicknessTexture", texture}}}}}}};
+    const json other_source{{"source", 0}};
+    whole.json["textures"][0]["extensions"] = {{"EXT_texture_webp", other_source},
+                                               {"KHR_texture_basisu", other_source}};
+    whole.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "day"}}, {{"name", "night"}}};
+    whole.json["meshes"][0]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"] = {
+        {{"material", 0}, {"variants", {0, 1}}}};
     whole.json["animations"] = {
         {{"samplers", {{{"input", times}, {"output", moves}}}},
          {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}}};

@@ -221,3 +221,17 @@ TEST_CASE("of two lists of frames or sizes the later one wins", "[cli][render]")
     CHECK(lines[0]["options"]["size"] == nlohmann::json{16, 8});
     CHECK(lines[1]["frame"] == 1);
 }
+
+TEST_CASE("a damaged texture is a note with its name, and the rest is rendered", "[cli][render]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    auto scene = nlohmann::json::parse(bytes_of(folder / "tiny.gltf"));
+    scene["images"] = {{{"name", "Bricks"}, {"uri", "data:image/png;base64,iVBORw0KGgo="}}};
+    scene["textures"] = {{{"source", 0}}};
+    scene["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    write_file(folder / "tiny.gltf", scene.dump());
+    const Outcome outcome = run_gridreel({"render", "tiny.gltf", "-s", "32x16", "-f", "0", "-o", "out.png"},
+                                         {.folder = folder.path()});
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err.find("drawn white: image \"Bricks\"") != std::string::npos);
+}

@@ -5,7 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cstddef>
+#include <span>
 
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/lsan_interface.h>
@@ -49,6 +51,31 @@ TEST_CASE("JPEG is told by its bytes, whatever its type says", "[engine]") {
     const engine::DecodedImage decoded = engine::decode(image);
     CHECK(decoded.texels[0].x == Approx(200 * 257).margin(2 * 257));
     CHECK(decoded.texels[0].w == 65535);
+}
+
+TEST_CASE("WebP is read", "[engine]") {
+    // One texel of (255, 0, 64), lossy: oiiotool --create 1x1 3 --fill:color=1,0,0.25 1x1 -o a.webp
+    constexpr std::array<unsigned char, 72> file{
+        0x52, 0x49, 0x46, 0x46, 0x40, 0x00, 0x00, 0x00, 0x57, 0x45, 0x42, 0x50, 0x56, 0x50, 0x38,
+        0x20, 0x34, 0x00, 0x00, 0x00, 0xf0, 0x01, 0x00, 0x9d, 0x01, 0x2a, 0x01, 0x00, 0x01, 0x00,
+        0x00, 0x00, 0x00, 0x25, 0xa0, 0x02, 0x74, 0xba, 0x01, 0xf8, 0x00, 0x06, 0x42, 0x00, 0x00,
+        0xfe, 0xff, 0x15, 0x0f, 0x7f, 0xe7, 0xe6, 0x77, 0x6e, 0x2f, 0xea, 0xb7, 0xff, 0xf7, 0xfa,
+        0x7f, 0xf7, 0xfa, 0x7f, 0xf7, 0xfa, 0x7f, 0xff, 0x7f, 0x3c, 0x00, 0x00};
+    const auto bytes = std::as_bytes(std::span(file));
+    const anim::Image image{
+        .name = "a.webp", .mime_type = "image/webp", .encoded = {bytes.begin(), bytes.end()}};
+    const engine::DecodedImage decoded = engine::decode(image);
+    REQUIRE(decoded.texels.size() == 1);
+    CHECK(decoded.texels[0].x == Approx(65535).margin(2 * 257));
+    CHECK(decoded.texels[0].y == Approx(0).margin(2 * 257));
+    CHECK(decoded.texels[0].z == Approx(64 * 257).margin(2 * 257));
+    CHECK(decoded.texels[0].w == 65535);
+}
+
+TEST_CASE("KTX2 is refused with the command that converts it", "[engine]") {
+    const auto magic = std::as_bytes(std::span("\xabKTX 20\xbb\r\n\x1a\n"));
+    const anim::Image image{.name = "brick", .mime_type = {}, .encoded = {magic.begin(), magic.end()}};
+    CHECK_THROWS_WITH(engine::decode(image), Catch::Contains("brick") && Catch::Contains("ktxdecompress"));
 }
 
 TEST_CASE("an image that cannot be decoded is an error that names it", "[engine]") {

@@ -118,6 +118,10 @@ TEST_CASE("the run's line says what ran, how and on what", "[frame_log]") {
     CHECK(line["options"]["depth"] == "half");
     CHECK(line["options"]["accel"] == "grid");
 
+    CHECK(line["options"]["variant"].is_null());
+    run.job.take.variant = "night";
+    CHECK(json::parse(log_line(run))["options"]["variant"] == "night");
+
     run.job.render.tracer.lambda = traversal::LambdaRule::by_cost;
     CHECK(json::parse(log_line(run))["options"]["lambda"] == "auto");
 }

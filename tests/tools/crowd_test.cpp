@@ -39,7 +39,7 @@ anim::Sampler linear_keys(std::vector<float> times_s, std::vector<float> values)
 
 float weight_at(const anim::Sampler& keys, double time_s) {
     float weight = 0.0f;
-    anim::sample_weights(keys, time_s, std::span(&weight, 1));
+    anim::sample_numbers(keys, time_s, std::span(&weight, 1));
     return weight;
 }
 

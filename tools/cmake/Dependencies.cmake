@@ -6,6 +6,22 @@ find_package(hwy CONFIG REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
+find_package(meshoptimizer CONFIG REQUIRED)
+
+# Draco's meshes. Debian's library also holds a tinygltf of its own, laid out unlike that of libtinygltf, and whichever
+# the linker meets first serves both: scenes then crash as they are destroyed. So we link a copy without it.
+find_package(draco CONFIG REQUIRED)
+get_target_property(draco_archive draco::draco_static LOCATION)
+set(draco_meshes_archive ${PROJECT_BINARY_DIR}/libdraco_meshes.a)
+file(COPY_FILE ${draco_archive} ${draco_meshes_archive})
+execute_process(
+  COMMAND ${CMAKE_AR} d ${draco_meshes_archive} tiny_gltf_utils.cc.o gltf_decoder.cc.o mesh_io.cc.o scene_io.cc.o
+  COMMAND_ERROR_IS_FATAL ANY)
+add_library(draco_meshes STATIC IMPORTED)
+set_target_properties(draco_meshes PROPERTIES IMPORTED_LOCATION ${draco_meshes_archive})
+get_target_property(draco_includes draco::draco_static INTERFACE_INCLUDE_DIRECTORIES)
+target_include_directories(draco_meshes SYSTEM INTERFACE ${draco_includes})
+
 find_package(CLI11 REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 # Its search notes that a Python library of Imath is absent; nobody here needs it.

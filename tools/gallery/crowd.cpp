@@ -174,10 +174,13 @@ private:
         std::map<std::vector<float>, std::size_t> inputs;  // this copy's accessors by their times
         for (const anim::Index id : character_.clip.animations) {
             const anim::Animation& animation = character_.scene.animations[id];
-            for (const anim::Channel& channel : animation.channels)
+            for (const anim::Channel& channel : animation.channels) {
+                // Copies share their looks, and what a pointer drives of a node does not move it.
+                if (channel.path > anim::ChannelPath::weights) continue;
                 channels_.push_back(
                     {{"sampler", sampler(id, channel, phase_s, inputs)},
-                     {"target", {{"node", first_node + channel.node}, {"path", name_of(channel.path)}}}});
+                     {"target", {{"node", first_node + channel.object}, {"path", name_of(channel.path)}}}});
+            }
         }
     }
 

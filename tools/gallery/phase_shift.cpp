@@ -21,7 +21,7 @@ std::vector<float> value_at(const Sampler& keys, ChannelPath path, double time_s
         value = {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
                  static_cast<float>(q.w)};
     } else if (path == ChannelPath::weights) {
-        anim::sample_weights(keys, time_s, value);
+        anim::sample_numbers(keys, time_s, value);
     } else {
         const glm::dvec3 v = anim::sample_vec3(keys, time_s);
         value = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};

@@ -1,0 +1,56 @@
+#include "anim/repeats.h"
+
+#include "anim/sample_channel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace gridreel::anim {
+namespace {
+
+constexpr double rounding = 1e-5;
+
+bool same_turn(const Sampler& sampler, double time_s, double other_time_s) {
+    const glm::dquat a = sample_rotation(sampler, time_s), b = sample_rotation(sampler, other_time_s);
+    const double side = glm::dot(a, b) < 0.0 ? -1.0 : 1.0;
+    const glm::dquat apart = a - b * side;
+    return glm::dot(apart, apart) <= rounding * rounding;
+}
+
+bool same_numbers(const Sampler& sampler, double time_s, double other_time_s) {
+    std::vector<float> a(sampler.width), b(sampler.width);
+    sample_numbers(sampler, time_s, a);
+    sample_numbers(sampler, other_time_s, b);
+    double largest = 0.0;
+    for (const float value : sampler.values) largest = std::max(largest, std::abs(double(value)));
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (std::abs(double(a[i]) - double(b[i])) > rounding * largest) return false;
+    }
+    return true;
+}
+
+bool same(const Channel& channel, const Sampler& sampler, double time_s, double other_time_s) {
+    switch (channel.path) {
+        case ChannelPath::rotation:
+            return same_turn(sampler, time_s, other_time_s);
+        case ChannelPath::visibility:
+            return sample_flag(sampler, time_s) == sample_flag(sampler, other_time_s);
+        default:
+            return same_numbers(sampler, time_s, other_time_s);
+    }
+}
+
+}  // namespace
+
+bool repeats(const Scene& scene, const Clip& clip, double time_s, double other_time_s) {
+    return std::all_of(clip.animations.begin(), clip.animations.end(), [&](Index index) {
+        const Animation& animation = scene.animations[index];
+        return std::all_of(animation.channels.begin(), animation.channels.end(), [&](const Channel& channel) {
+            return same(channel, animation.samplers[channel.sampler], time_s, other_time_s);
+        });
+    });
+}
+
+}  // namespace gridreel::anim
