@@ -37,7 +37,6 @@ struct FrameRenderer::State {
           textures(scene),
           shot(scene, clip, settings),
           geometry(anim::lay_out(scene, clip)),
-          still(find_still(geometry)),
           cut_outs(has_cut_outs(scene, geometry)),
           tracer(traversal::make_tracer(settings.tracer)),
           lambda(traversal::make_lambda_chooser(settings.tracer, shot.camera_ray_count())),
@@ -54,7 +53,7 @@ struct FrameRenderer::State {
 
     // What every frame overwrites.
     anim::FrameGeometry geometry;
-    std::shared_ptr<const rebuild::StillTriangles> still;  ///< of the geometry, in all frames
+    StillInFrames still;
     bool cut_outs = false;
     std::unique_ptr<traversal::Tracer> tracer;
     std::optional<traversal::LambdaChooser> lambda;
@@ -77,6 +76,7 @@ FrameReport FrameRenderer::render(double time_s, Film& film) {
     const Stopwatch animating;
     const anim::Pose pose = anim::pose(s.scene, s.clip, time_s);
     anim::deform(s.scene, pose, s.geometry);
+    const auto still = s.still.find(s.geometry);
     report.animate_ms = animating.ms();
     report.moving_triangles = s.geometry.moving_triangles();
     report.still_triangles = s.geometry.triangles.size() - report.moving_triangles;
@@ -88,7 +88,7 @@ FrameReport FrameRenderer::render(double time_s, Film& film) {
         report.predicted = choice.predicted;
     }
     report.rebuild = s.tracer->rebuild(
-        {.positions = s.geometry.positions, .triangles = s.geometry.triangles, .still = s.still});
+        {.positions = s.geometry.positions, .triangles = s.geometry.triangles, .still = still});
 
     // Trace and shade, band by band.
     const Stopwatch making_pixels;

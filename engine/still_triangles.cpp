@@ -1,11 +1,12 @@
 #include "engine/still_triangles.h"
 
+#include <cassert>
 #include <utility>
-#include <vector>
 
 namespace gridreel::engine {
+namespace {
 
-std::shared_ptr<const rebuild::StillTriangles> find_still(const anim::FrameGeometry& geometry) {
+std::shared_ptr<const rebuild::StillTriangles> still_parts(const anim::FrameGeometry& geometry) {
     std::vector<rebuild::TriangleRun> runs;
     for (const anim::Part& part : geometry.parts) {
         if (part.moves || part.triangle_count == 0) continue;
@@ -18,6 +19,17 @@ std::shared_ptr<const rebuild::StillTriangles> find_still(const anim::FrameGeome
     }
     if (runs.empty()) return nullptr;
     return std::make_shared<rebuild::StillTriangles>(geometry.triangles.size(), std::move(runs));
+}
+
+}  // namespace
+
+std::shared_ptr<const rebuild::StillTriangles> StillInFrames::find(const anim::FrameGeometry& geometry) {
+    assert(geometry.posed);
+    if (is_shown_ != geometry.is_shown) {
+        is_shown_ = geometry.is_shown;
+        still_ = still_parts(geometry);
+    }
+    return still_;
 }
 
 }  // namespace gridreel::engine

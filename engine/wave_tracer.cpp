@@ -37,7 +37,6 @@ struct WaveTracer::State {
           clip(std::move(clip_of_scene)),
           shot(scene, clip, settings),
           geometry(anim::lay_out(scene, clip)),
-          still(find_still(geometry)),
           pose(anim::pose(scene, clip, 0.0)) {}
 
     void trace_primary(traversal::Tracer& tracer, std::span<const Pixel> pixels, const View& view,
@@ -50,7 +49,8 @@ struct WaveTracer::State {
     anim::Clip clip;
     Shot shot;
     anim::FrameGeometry geometry;
-    std::shared_ptr<const rebuild::StillTriangles> still;
+    StillInFrames still_in_frames;
+    std::shared_ptr<const rebuild::StillTriangles> still;  ///< as posed last
     anim::Pose pose;
 
     // One entry per camera ray.
@@ -140,6 +140,7 @@ double WaveTracer::animate(double time_s) {
     const Stopwatch animating;
     s.pose = anim::pose(s.scene, s.clip, time_s);
     anim::deform(s.scene, s.pose, s.geometry);
+    s.still = s.still_in_frames.find(s.geometry);
     return animating.ms();
 }
 

@@ -1,13 +1,11 @@
 #include "rebuild/grid_builder.h"
 
-#include "rebuild/cell_mapping.h"
+#include "rebuild/grid_shape.h"
 #include "rebuild/reference_kernel.h"
 
 #include <glm/geometric.hpp>
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <chrono>
@@ -61,56 +59,6 @@ public:
 private:
     Clock::time_point last_ = Clock::now();
 };
-
-/// The box of all triangles of the list that can be hit. Vertices that no triangle uses do not stretch it.
-Bounds3 traceable_bounds(const TriangleView& view, const TriangleList& list) {
-    constexpr std::size_t grain = 1 << 13;
-    using Range = tbb::blocked_range<std::size_t>;
-    if (list.count <= grain) return bounds_of(view, list, 0, list.count);
-    // Minimum and maximum do not depend on the order in which parts are joined.
-    return tbb::parallel_reduce(
-        Range(0, list.count, grain), Bounds3{},
-        [&](const Range& range, Bounds3 box) {
-            box.extend(bounds_of(view, list, range.begin(), range.end()));
-            return box;
-        },
-        [](Bounds3 a, const Bounds3& b) {
-            a.extend(b);
-            return a;
-        });
-}
-
-/// A box with some thickness on every axis, so that cells have a size.
-Bounds3 padded(const Bounds3& box) {
-    const glm::vec3 extent = box.extent();
-    const float largest = std::max({extent.x, extent.y, extent.z});
-    const glm::vec3 size = glm::max(glm::abs(box.min), glm::abs(box.max));
-    // At least an ulp or two of the coordinates, or the padding would round away far from the origin.
-    const glm::vec3 pad = glm::max(glm::vec3{1e-5f * largest}, glm::max(size * 4e-7f, glm::vec3{1e-30f}));
-    return {.min = box.min - pad, .max = box.max + pad};
-}
-
-/// A grid of this box, for so many triangles; its cells have no place yet.
-UniformGrid grid_in(const Bounds3& box, std::size_t triangles, const ResolutionPolicy& policy,
-                    double least_slack) {
-    UniformGrid grid{.bounds = padded(box), .least_slack = least_slack};
-    grid.resolution = choose_resolution(grid.bounds, triangles, policy);
-    const CellMapping mapping(grid.bounds, grid.resolution, least_slack);
-    grid.cell_size = mapping.cell_size();
-    grid.slack = mapping.slack();
-    return grid;
-}
-
-/// The box of one cell, as far as a walk may take a point to be in it.
-Bounds3 box_of_cell(const UniformGrid& grid, std::size_t cell) {
-    const auto x = static_cast<std::size_t>(grid.resolution.x),
-               y = static_cast<std::size_t>(grid.resolution.y);
-    const std::size_t row = cell / x;
-    const std::size_t layer = row / y;
-    const glm::dvec3 index{double(cell % x), double(row % y), double(layer)};
-    const glm::dvec3 low = glm::dvec3{grid.bounds.min} + index * grid.cell_size;
-    return {.min = glm::vec3{low - grid.slack}, .max = glm::vec3{low + grid.cell_size + grid.slack}};
-}
 
 TriangleList list_of(std::span<const std::uint32_t> triangles) {
     return {.indices = triangles.data(), .count = triangles.size()};
@@ -201,13 +149,12 @@ void GridBuilder::build_top(const TriangleView& triangles, const Bounds3& box, B
     const double least_slack = slack_per_diagonal * glm::length(glm::dvec3{box.extent()});
     for (;;) {
         grid = grid_in(box, triangles.size(), policy, least_slack);
-        job = top_job(triangles.size(), last_frame_.same_top(grid) ? last_frame_.still() : nullptr);
+        job = top_job(triangles.size(), last_frame_.compare_top(grid) ? last_frame_.still() : nullptr);
         sort_.count(triangles, jobs_, level);
         report.count_ms += timer.lap();
         if ((!job.over_limit() || grid.cell_count() == 1) && sort_.scan(jobs_, level)) break;
         policy.lambda /= 3.0f;
     }
-    last_frame_.set_top(grid);
     report.scan_ms = timer.lap();
     sort_.scatter(jobs_, level);
     report.scatter_ms = timer.lap();
@@ -230,7 +177,7 @@ bool GridBuilder::nest(const TriangleView& triangles, std::size_t depth, BuildRe
     for (GridJob& job : jobs_) job.dropped = job.dropped || job.over_limit();
     if (!sort_.scan(jobs_, level)) {
         level.clear();
-        last_frame_.nested(depth).clear();
+        last_frame_.nested(depth).resize(0);
         return false;
     }
     sort_.scatter(jobs_, level);
@@ -286,7 +233,7 @@ bool GridBuilder::take_over(std::size_t depth, std::size_t index, const Triangle
     const CrowdedCell& place = crowded_[index];
     const UniformGrid& parent = grid_.levels[depth - 1].grids[place.grid];
     NestedGrid& next = last_frame_.nested(depth)[index];
-    next = {.parent = place.grid, .cell = place.cell - parent.first_cell};
+    next = {.parent = place.grid, .cell = static_cast<std::uint32_t>(place.cell - parent.first_cell)};
     next.still = depth > 1
                      ? last_frame_.nested(depth - 1)[place.grid].still
                      : std::all_of(list.indices, list.indices + list.count, [&](std::uint32_t triangle) {
@@ -299,20 +246,20 @@ bool GridBuilder::take_over(std::size_t depth, std::size_t index, const Triangle
     GridJob& job = jobs_[index];
     job.triangles = {};
     job.dropped = same.dropped;
-    if (!same.dropped) job.known = KnownLists{.first_cell = same.grid.first_cell};
-    grid_.levels[depth].grids[index] = same.grid;
+    const UniformGrid& grid = last_frame_.last_grid(depth, *next.was);
+    if (!same.dropped) job.known = KnownLists{.first_cell = grid.first_cell};
+    grid_.levels[depth].grids[index] = grid;
     return true;
 }
 
 /// Puts the grids of a level in the place of the cells they were made of.
 void GridBuilder::mark_nested(std::size_t depth) {
     GridLevel& above = grid_.levels[depth - 1];
-    std::vector<NestedGrid>& remembered = last_frame_.nested(depth);
+    Buffer<NestedGrid>& remembered = last_frame_.nested(depth);
     tbb::parallel_for(std::size_t{0}, crowded_.size(), [&](std::size_t i) {
         const std::size_t cell = crowded_[i].cell;
         std::uint32_t* const first = above.references.data() + above.cell_begin[cell];
         if (last_frame_.still() != nullptr) {
-            remembered[i].grid = grid_.levels[depth].grids[i];
             remembered[i].dropped = jobs_[i].dropped;
             std::copy_n(first, 2, remembered[i].displaced);
         }
@@ -330,7 +277,7 @@ void GridBuilder::release() {
 }
 
 std::size_t GridBuilder::used_bytes() const {
-    std::size_t sum = sort_.used_bytes() + last_frame_.bytes();
+    std::size_t sum = sort_.used_bytes() + last_frame_.used_bytes();
     for (const GridLevel& level : grid_.levels) sum += level.used_bytes();
     return sum;
 }

@@ -8,13 +8,12 @@
 namespace gridreel::rebuild {
 namespace {
 
-/// @param first_cell  of a grid of the level above
-template <class FirstCell>
-void unmark(const std::vector<NestedGrid>& nested, GridLevel& above, const FirstCell& first_cell) {
+/// Puts back the references that marks lie on.
+void unmark(const Buffer<NestedGrid>& nested, GridLevel& above, const UniformGrid* grids_above) {
     for (const NestedGrid& grid : nested) {
         if (grid.dropped) continue;
-        const std::size_t cell = first_cell(grid.parent) + grid.cell;
-        std::copy_n(grid.displaced, 2, above.references.data() + above.cell_begin.data()[cell]);
+        const std::size_t cell = grids_above[grid.parent].first_cell + grid.cell;
+        std::copy_n(grid.displaced, 2, above.references.data() + above.cell_begin[cell]);
     }
 }
 
@@ -31,37 +30,39 @@ void LastFrame::begin(const TriangleView& triangles, float lambda, Grid& grid) {
     still_ = triangles.still;
     lambda_ = lambda;
     std::swap(last_, now_);
-    for (auto& nested : now_.nested) nested.clear();
+    for (Buffer<NestedGrid>& nested : now_) nested.begin_frame();
+    if (still_ == nullptr) return;
+    for (std::size_t depth = 0; depth <= deepest_nesting; ++depth) {
+        std::swap(last_grids_[depth], grid.levels[depth].grids);
+    }
     if (!known_) return;
     for (std::size_t depth = 1; depth <= deepest_nesting; ++depth) {
-        unmark(last_.nested[depth], grid.levels[depth - 1], [&](std::uint32_t parent) {
-            return depth == 1 ? last_.top.first_cell : last(depth - 1, parent).grid.first_cell;
-        });
+        unmark(last_[depth], grid.levels[depth - 1], last_grids_[depth - 1].data());
     }
 }
 
-bool LastFrame::same_top(const UniformGrid& grid) const {
-    return known_ && grid.bounds == last_.top.bounds && grid.resolution == last_.top.resolution &&
-           grid.least_slack == last_.top.least_slack;
-}
-
-void LastFrame::set_top(const UniformGrid& grid) {
-    same_top_ = same_top(grid);
-    now_.top = grid;
+bool LastFrame::compare_top(const UniformGrid& grid) {
+    same_top_ = false;
+    if (known_) {
+        const UniformGrid& last = last_grid(0, 0);
+        same_top_ = grid.bounds == last.bounds && grid.resolution == last.resolution &&
+                    grid.least_slack == last.least_slack;
+    }
+    return same_top_;
 }
 
 std::optional<std::uint32_t> LastFrame::same_as(std::size_t depth, const NestedGrid& next) const {
     if (!same_top_ || !next.still) return std::nullopt;
     NestedGrid wanted = next;
     if (depth > 1) {
-        const std::optional<std::uint32_t>& was = now_.nested[depth - 1][next.parent].was;
+        const std::optional<std::uint32_t>& was = now_[depth - 1][next.parent].was;
         if (!was) return std::nullopt;
         wanted.parent = *was;
     }
     const auto before = [](const NestedGrid& a, const NestedGrid& b) {
         return std::tie(a.parent, a.cell) < std::tie(b.parent, b.cell);
     };
-    const std::vector<NestedGrid>& last = last_.nested[depth];
+    const Buffer<NestedGrid>& last = last_[depth];
     const auto found = std::lower_bound(last.begin(), last.end(), wanted, before);
     if (found == last.end() || before(wanted, *found) || !found->still) return std::nullopt;
     return static_cast<std::uint32_t>(found - last.begin());
@@ -69,8 +70,16 @@ std::optional<std::uint32_t> LastFrame::same_as(std::size_t depth, const NestedG
 
 std::size_t LastFrame::bytes() const {
     std::size_t sum = still_ ? still_->bytes() : 0;
-    for (const Shape* shape : {&last_, &now_}) {
-        for (const auto& nested : shape->nested) sum += nested.capacity() * sizeof(NestedGrid);
+    for (std::size_t depth = 0; depth <= deepest_nesting; ++depth) {
+        sum += last_[depth].bytes() + now_[depth].bytes() + last_grids_[depth].bytes();
+    }
+    return sum;
+}
+
+std::size_t LastFrame::used_bytes() const {
+    std::size_t sum = still_ ? still_->bytes() : 0;
+    for (std::size_t depth = 0; depth <= deepest_nesting; ++depth) {
+        sum += last_[depth].used_bytes() + now_[depth].used_bytes() + last_grids_[depth].used_bytes();
     }
     return sum;
 }

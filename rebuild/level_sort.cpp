@@ -39,7 +39,7 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
             layout.chunks =
                 std::clamp<std::size_t>(triangles / triangles_per_chunk, 1, std::min(threads, chunk_limit));
         }
-        layout.histograms = layout.chunks + (jobs[j].known ? 1 : 0);
+        layout.histograms = std::max<std::size_t>(layout.chunks, jobs[j].known ? 1 : 0);
         const auto job = static_cast<std::uint32_t>(j);
         for (std::size_t k = 0; k < layout.chunks; ++k) {
             Chunk chunk{.job = job,
@@ -98,51 +98,25 @@ void LevelSort::find(const TriangleView& triangles, const GridJob& job, const Un
     for (std::size_t k = 0; k < chunk.references; ++k) ++histogram[room.cells[k] & ~next_triangle];
 }
 
-/// Copies a piece of known lists and counts them, without triangles that are to be found.
+/// Copies a piece of known lists and counts them.
 void LevelSort::take_over(const KnownLists& known, const GridLevel& level, Piece& piece) {
-    const std::uint32_t* const begins = level.cell_begin.data() + known.first_cell;
-    const std::uint32_t* const references = level.references.data();
-    std::uint32_t* const histogram = histogram_of_known(layouts_[piece.job]);
-    std::uint32_t* const to = cells_.data() + piece.first_known;
-    std::uint32_t kept = 0;
-    if (known.only == nullptr) {
-        kept = begins[piece.end] - begins[piece.begin];
-        std::copy_n(references + begins[piece.begin], kept, to);
-        for (std::size_t c = piece.begin; c < piece.end; ++c) histogram[c] = begins[c + 1] - begins[c];
-    } else {
-        for (std::size_t c = piece.begin; c < piece.end; ++c) {
-            const std::uint32_t before = kept;
-            for (std::uint32_t i = begins[c]; i < begins[c + 1]; ++i) {
-                to[kept] = references[i];  // overwritten by the next if not kept
-                kept += std::uint32_t{known.only->is_still(references[i])};
-            }
-            histogram[c] = kept - before;
-        }
-    }
-    piece.references = kept;
+    const Layout& layout = layouts_[piece.job];
+    std::uint32_t* const histogram = last_histogram(layout);
+    if (layout.chunks == 0) std::fill(histogram + piece.begin, histogram + piece.end, 0u);
+    piece.references =
+        copy_known(known, level, piece.begin, piece.end, cells_.data() + piece.first_known, histogram);
 }
 
-/// Puts a piece of known lists behind what was found for each cell, and both in order.
-void LevelSort::merge_known(const Piece& piece, GridLevel& level) {
+/// Puts a piece of known lists among what was found.
+void LevelSort::merge(const Piece& piece, GridLevel& level) {
     const Layout& layout = layouts_[piece.job];
     const std::uint32_t* const begins = level.cell_begin.data() + level.grids[piece.job].first_cell;
-    const std::uint32_t* const behind_found = histogram_of_known(layout);
-    const std::uint32_t* known = cells_.data() + piece.first_known;
+    const std::uint32_t* const known = cells_.data() + piece.first_known;
     std::uint32_t* const references = level.references.data();
     if (layout.chunks == 0) {
         std::copy_n(known, begins[piece.end] - begins[piece.begin], references + begins[piece.begin]);
-        return;
-    }
-    for (std::size_t c = piece.begin; c < piece.end; ++c) {
-        const std::uint32_t *const first = known, *const first_found = references + begins[c];
-        known += begins[c + 1] - behind_found[c];
-        // From the end, where nothing is that is still to be read.
-        const std::uint32_t* found = references + behind_found[c];
-        std::uint32_t* to = references + begins[c + 1];
-        for (const std::uint32_t* next = known; next != first;) {
-            const bool found_is_last = found != first_found && found[-1] > next[-1];
-            *--to = found_is_last ? *--found : *--next;
-        }
+    } else {
+        merge_known(known, piece.begin, piece.end, begins, last_histogram(layout), references);
     }
 }
 
@@ -251,7 +225,7 @@ void LevelSort::scatter(std::span<const GridJob> jobs, GridLevel& level) {
         }
         for (std::size_t i = prefetched; i < count; ++i) place(i);
     });
-    for_each_known(jobs, [&](const Piece& piece) { merge_known(piece, level); });
+    for_each_known(jobs, [&](const Piece& piece) { merge(piece, level); });
 }
 
 /// From how many references on a cell of each grid is crowded.

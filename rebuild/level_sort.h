@@ -3,8 +3,8 @@
 
 #include "rebuild/cell_mapping.h"
 #include "rebuild/grid.h"
+#include "rebuild/known_lists.h"
 #include "rebuild/reference_kernel.h"
-#include "rebuild/still_triangles.h"
 #include "rebuild/triangle_view.h"
 
 #include <array>
@@ -15,12 +15,6 @@
 #include <vector>
 
 namespace gridreel::rebuild {
-
-/// Lists that need not be found anew: those that this level held last, of a grid with the same cells.
-struct KnownLists {
-    std::size_t first_cell = 0;            ///< of the level as it was
-    const StillTriangles* only = nullptr;  ///< of what they list, only these; nullptr: all
-};
 
 /// One grid to fill.
 struct GridJob {
@@ -53,8 +47,8 @@ struct CrowdedCell {
 /// reading them, and how many a triangle has is not to be guessed by a branch.
 ///
 /// Chunks hold ascending triangles and own ascending slots of each cell, so the lists come out the same for
-/// any number of threads. Known lists are taken over before their memory is written again, counted in a
-/// histogram of their own, and merged with what was found.
+/// any number of threads. Known lists are taken over before their memory is written again, counted
+/// behind what the last chunk found, and merged with it.
 class LevelSort {
 public:
     /// References per triangle that there is room for at first, and how many times what was needed there is
@@ -117,7 +111,7 @@ private:
     struct Layout {
         std::size_t first_histogram = 0;
         std::size_t chunks = 0;
-        std::size_t histograms = 0;  ///< one for each chunk, then one for known lists
+        std::size_t histograms = 0;  ///< one for each chunk; without any, one for known lists
         std::size_t cells = 0;
         std::uint64_t references = 0;
         std::uint64_t occupied = 0;       ///< cells
@@ -126,7 +120,7 @@ private:
     void lay_out(std::span<const GridJob> jobs, GridLevel& level);
     void find(const TriangleView& triangles, const GridJob& job, const UniformGrid& grid, Chunk& chunk);
     void take_over(const KnownLists& known, const GridLevel& level, Piece& piece);
-    void merge_known(const Piece& piece, GridLevel& level);
+    void merge(const Piece& piece, GridLevel& level);
     /// In parallel, every piece of a job that knows some of its lists.
     template <class Visit>
     void for_each_known(std::span<const GridJob> jobs, const Visit& visit);
@@ -134,9 +128,10 @@ private:
     void find_limits(const Crowd& least);
     [[nodiscard]] double& room_per_triangle(const GridJob& job);
     [[nodiscard]] ReferenceRoom room_of(const Chunk& chunk);
-    /// One count per cell.
-    [[nodiscard]] std::uint32_t* histogram_of_known(const Layout& layout) {
-        return histograms_.data() + layout.first_histogram + layout.chunks * layout.cells;
+    /// Known lists are counted with the last chunk's references, and lie behind them: once those are
+    /// scattered, it says where.
+    [[nodiscard]] std::uint32_t* last_histogram(const Layout& layout) {
+        return histograms_.data() + layout.first_histogram + (layout.histograms - 1) * layout.cells;
     }
 
     /// References that chunks have room for, in the top grid and in nested ones. Grows on demand.
