@@ -1,4 +1,4 @@
-#include "grid_contents.h"
+#include "tests/rebuild/grid_contents.h"
 
 #include <bit>
 

@@ -2,8 +2,8 @@
 
 #include "rebuild/grid_builder.h"
 
-#include "grid_contents.h"
 #include "soup.h"
+#include "tests/rebuild/grid_contents.h"
 
 #include <catch2/catch.hpp>
 

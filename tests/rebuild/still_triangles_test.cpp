@@ -3,9 +3,9 @@
 
 #include "rebuild/still_triangles.h"
 
-#include "grid_contents.h"
 #include "rebuild/grid_builder.h"
 #include "soup.h"
+#include "tests/rebuild/grid_contents.h"
 
 #include <catch2/catch.hpp>
 
