@@ -8,10 +8,9 @@
 namespace gridreel::rebuild {
 namespace {
 
-/// Puts back the references that marks lie on.
+/// Puts back the references that marks lie on; where a grid was dropped they are there still.
 void unmark(const Buffer<NestedGrid>& nested, GridLevel& above, const UniformGrid* grids_above) {
     for (const NestedGrid& grid : nested) {
-        if (grid.dropped) continue;
         const std::size_t cell = grids_above[grid.parent].first_cell + grid.cell;
         std::copy_n(grid.displaced, 2, above.references.data() + above.cell_begin[cell]);
     }
