@@ -91,15 +91,15 @@ TEST_CASE("grids in nested grids are found where those have other numbers", "[re
     // Two crowds that stand still, alike but for the crowds in them; a third one flies over both.
     Crowds crowds;
     crowds.add(400, glm::vec3{0.0f}, 10.0f, 0.1f);
-    for (const float z : {4.0f, 7.0f}) {
-        const glm::vec3 at{5.0f, 5.0f, z};
+    for (const float z : {4.2f, 7.5f}) {
+        const glm::vec3 at{5.2f, 5.2f, z};
         crowds.add(1, at, 0.0f, 0.0f);
-        crowds.add(1, at + 0.5f, 0.0f, 0.0f);
-        crowds.add(800, at, 0.49f, 0.01f);
-        crowds.add(2'000, at + 0.22f, 0.005f, z * 0.0005f);
+        crowds.add(1, at + 0.05f, 0.0f, 0.0f);
+        crowds.add(800, at, 0.049f, 0.001f);
+        crowds.add(2'000, at + 0.022f, 0.0005f, z * 5e-6f);
     }
     crowds.end_still();
-    crowds.add(800, glm::vec3{5.0f, 5.0f, 1.0f}, 0.05f, 0.01f);
+    crowds.add(800, glm::vec3{5.2f, 5.2f, 1.3f}, 0.05f, 0.001f);
 
     GridBuilder builder;
     for (int turn = 0; turn < 3; ++turn) {
