@@ -5,12 +5,14 @@
 #include "engine/band.h"
 #include "engine/notes.h"
 #include "engine/shot.h"
+#include "engine/still_triangles.h"
 #include "engine/stopwatch.h"
 #include "engine/textures.h"
 #include "traversal/lambda_chooser.h"
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -51,6 +53,7 @@ struct FrameRenderer::State {
 
     // What every frame overwrites.
     anim::FrameGeometry geometry;
+    StillInFrames still;
     bool cut_outs = false;
     std::unique_ptr<traversal::Tracer> tracer;
     std::optional<traversal::LambdaChooser> lambda;
@@ -73,6 +76,7 @@ FrameReport FrameRenderer::render(double time_s, Film& film) {
     const Stopwatch animating;
     const anim::Pose pose = anim::pose(s.scene, s.clip, time_s);
     anim::deform(s.scene, pose, s.geometry);
+    const auto still = s.still.find(s.geometry);
     report.animate_ms = animating.ms();
     report.moving_triangles = s.geometry.moving_triangles();
     report.still_triangles = s.geometry.triangles.size() - report.moving_triangles;
@@ -83,8 +87,8 @@ FrameReport FrameRenderer::render(double time_s, Film& film) {
         s.tracer->set_lambda(choice.lambda);
         report.predicted = choice.predicted;
     }
-    report.rebuild =
-        s.tracer->rebuild({.positions = s.geometry.positions, .triangles = s.geometry.triangles});
+    report.rebuild = s.tracer->rebuild(
+        {.positions = s.geometry.positions, .triangles = s.geometry.triangles, .still = still});
 
     // Trace and shade, band by band.
     const Stopwatch making_pixels;

@@ -8,6 +8,7 @@
 #include "engine/hit_point.h"
 #include "engine/shadow_rays.h"
 #include "engine/shot.h"
+#include "engine/still_triangles.h"
 #include "engine/stopwatch.h"
 #include "engine/surface.h"
 #include "rebuild/buffer.h"
@@ -48,6 +49,8 @@ struct WaveTracer::State {
     anim::Clip clip;
     Shot shot;
     anim::FrameGeometry geometry;
+    StillInFrames still_in_frames;
+    std::shared_ptr<const rebuild::StillTriangles> still;  ///< as posed last
     anim::Pose pose;
 
     // One entry per camera ray.
@@ -137,11 +140,14 @@ double WaveTracer::animate(double time_s) {
     const Stopwatch animating;
     s.pose = anim::pose(s.scene, s.clip, time_s);
     anim::deform(s.scene, s.pose, s.geometry);
+    s.still = s.still_in_frames.find(s.geometry);
     return animating.ms();
 }
 
 rebuild::BuildReport WaveTracer::rebuild(traversal::Tracer& tracer) const {
-    return tracer.rebuild({.positions = state_->geometry.positions, .triangles = state_->geometry.triangles});
+    const State& s = *state_;
+    return tracer.rebuild(
+        {.positions = s.geometry.positions, .triangles = s.geometry.triangles, .still = s.still});
 }
 
 WaveReport WaveTracer::trace(traversal::Tracer& tracer, Bounce bounce) {

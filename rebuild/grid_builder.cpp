@@ -1,17 +1,17 @@
 #include "rebuild/grid_builder.h"
 
-#include "rebuild/cell_mapping.h"
+#include "rebuild/grid_shape.h"
 #include "rebuild/reference_kernel.h"
 
 #include <glm/geometric.hpp>
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -60,54 +60,8 @@ private:
     Clock::time_point last_ = Clock::now();
 };
 
-/// The box of all triangles of the list that can be hit. Vertices that no triangle uses do not stretch it.
-Bounds3 traceable_bounds(const TriangleView& view, const TriangleList& list) {
-    constexpr std::size_t grain = 1 << 13;
-    using Range = tbb::blocked_range<std::size_t>;
-    if (list.count <= grain) return bounds_of(view, list, 0, list.count);
-    // Minimum and maximum do not depend on the order in which parts are joined.
-    return tbb::parallel_reduce(
-        Range(0, list.count, grain), Bounds3{},
-        [&](const Range& range, Bounds3 box) {
-            box.extend(bounds_of(view, list, range.begin(), range.end()));
-            return box;
-        },
-        [](Bounds3 a, const Bounds3& b) {
-            a.extend(b);
-            return a;
-        });
-}
-
-/// A box with some thickness on every axis, so that cells have a size.
-Bounds3 padded(const Bounds3& box) {
-    const glm::vec3 extent = box.extent();
-    const float largest = std::max({extent.x, extent.y, extent.z});
-    const glm::vec3 size = glm::max(glm::abs(box.min), glm::abs(box.max));
-    // At least an ulp or two of the coordinates, or the padding would round away far from the origin.
-    const glm::vec3 pad = glm::max(glm::vec3{1e-5f * largest}, glm::max(size * 4e-7f, glm::vec3{1e-30f}));
-    return {.min = box.min - pad, .max = box.max + pad};
-}
-
-/// A grid of this box, for so many triangles; its cells have no place yet.
-UniformGrid grid_in(const Bounds3& box, std::size_t triangles, const ResolutionPolicy& policy,
-                    double least_slack) {
-    UniformGrid grid{.bounds = padded(box), .least_slack = least_slack};
-    grid.resolution = choose_resolution(grid.bounds, triangles, policy);
-    const CellMapping mapping(grid.bounds, grid.resolution, least_slack);
-    grid.cell_size = mapping.cell_size();
-    grid.slack = mapping.slack();
-    return grid;
-}
-
-/// The box of one cell, as far as a walk may take a point to be in it.
-Bounds3 box_of_cell(const UniformGrid& grid, std::size_t cell) {
-    const auto x = static_cast<std::size_t>(grid.resolution.x),
-               y = static_cast<std::size_t>(grid.resolution.y);
-    const std::size_t row = cell / x;
-    const std::size_t layer = row / y;
-    const glm::dvec3 index{double(cell % x), double(row % y), double(layer)};
-    const glm::dvec3 low = glm::dvec3{grid.bounds.min} + index * grid.cell_size;
-    return {.min = glm::vec3{low - grid.slack}, .max = glm::vec3{low + grid.cell_size + grid.slack}};
+TriangleList list_of(std::span<const std::uint32_t> triangles) {
+    return {.indices = triangles.data(), .count = triangles.size()};
 }
 
 }  // namespace
@@ -131,10 +85,11 @@ BuildReport GridBuilder::rebuild(const TriangleView& triangles) {
     BuildReport report;
     report.lambda = policy_.lambda;
     if (oversized_ == oversized_limit) release();
+    if (policy_.heed_still) last_frame_.begin(triangles, policy_.lambda, grid_);
     sort_.begin_frame();
     for (GridLevel& level : grid_.levels) level.begin_frame();
 
-    const Bounds3 box = traceable_bounds(triangles, {.count = triangles.size()});
+    const Bounds3 box = measure(triangles);
     if (box.empty()) return report;
     report.bounds_ms = timer.lap();
     build_top(triangles, box, report);
@@ -143,6 +98,7 @@ BuildReport GridBuilder::rebuild(const TriangleView& triangles) {
     for (std::size_t depth = 1; depth <= deepest_nesting && nest(triangles, depth, report); ++depth) {
     }
     report.nesting_ms = nesting.lap();
+    last_frame_.end();
 
     report.total_ms = whole.lap();
     report.resolution = grid_.top().resolution;
@@ -151,28 +107,58 @@ BuildReport GridBuilder::rebuild(const TriangleView& triangles) {
     return report;
 }
 
+/// The box of all triangles. That of still ones is found once.
+Bounds3 GridBuilder::measure(const TriangleView& triangles) {
+    const StillTriangles* const still = last_frame_.still();
+    if (still == nullptr || !still->few_move()) {
+        return traceable_bounds(triangles, {.count = triangles.size()});
+    }
+    std::optional<Bounds3>& still_box = last_frame_.still_box;
+    if (!still_box) {
+        still_box.emplace();
+        for (const TriangleRun& run : still->runs()) {
+            still_box->extend(bounds_of(triangles, {.count = run.end}, run.begin, run.end));
+        }
+    }
+    Bounds3 box = traceable_bounds(triangles, list_of(still->few_moving()));
+    box.extend(*still_box);
+    return box;
+}
+
+/// @param known  whose lists are those of the last frame
+GridJob GridBuilder::top_job(std::size_t triangles, const StillTriangles* known) const {
+    GridJob job{.triangles = {.count = triangles},
+                .reference_limit = references_per_triangle_limit * triangles};
+    if (known != nullptr && known->few_move()) {
+        job.triangles = list_of(known->few_moving());
+        job.known = KnownLists{.first_cell = 0, .only = known};
+    }
+    return job;
+}
+
 void GridBuilder::build_top(const TriangleView& triangles, const Bounds3& box, BuildReport& report) {
     PhaseTimer timer;
     GridLevel& level = grid_.levels[0];
     level.grids.resize(1);
-    jobs_.assign(1, {.triangles = {.count = triangles.size()}});
+    UniformGrid& grid = level.grids[0];
+    jobs_.resize(1);
     GridJob& job = jobs_[0];
-    job.reference_limit = references_per_triangle_limit * triangles.size();
 
     // Too many references mean too many cells. 64 for each of 2^31 triangles could exceed 32 bits, too.
     ResolutionPolicy policy = policy_;
     const double least_slack = slack_per_diagonal * glm::length(glm::dvec3{box.extent()});
     for (;;) {
-        level.grids[0] = grid_in(box, triangles.size(), policy, least_slack);
+        grid = grid_in(box, triangles.size(), policy, least_slack);
+        job = top_job(triangles.size(), last_frame_.compare_top(grid) ? last_frame_.still() : nullptr);
         sort_.count(triangles, jobs_, level);
         report.count_ms += timer.lap();
-        if ((!job.over_limit() || level.grids[0].cell_count() == 1) && sort_.scan(jobs_, level)) break;
+        if ((!job.over_limit() || grid.cell_count() == 1) && sort_.scan(jobs_, level)) break;
         policy.lambda /= 3.0f;
     }
     report.scan_ms = timer.lap();
     sort_.scatter(jobs_, level);
     report.scatter_ms = timer.lap();
-    report.cells = level.grids[0].cell_count();
+    report.cells = grid.cell_count();
     report.references = level.references.size();
 }
 
@@ -188,9 +174,10 @@ bool GridBuilder::nest(const TriangleView& triangles, std::size_t depth, BuildRe
     GridLevel& level = grid_.levels[depth];
     measure_nested(triangles, depth);
     sort_.count(triangles, jobs_, level);
-    for (GridJob& job : jobs_) job.dropped = job.over_limit();
+    for (GridJob& job : jobs_) job.dropped = job.dropped || job.over_limit();
     if (!sort_.scan(jobs_, level)) {
         level.clear();
+        last_frame_.nested(depth).resize(0);
         return false;
     }
     sort_.scatter(jobs_, level);
@@ -210,6 +197,7 @@ void GridBuilder::measure_nested(const TriangleView& triangles, std::size_t dept
     GridLevel& level = grid_.levels[depth];
     level.grids.resize(crowded_.size());
     jobs_.resize(crowded_.size());
+    if (last_frame_.still() != nullptr) last_frame_.nested(depth).resize(crowded_.size());
     const double limit = nested_references_per_triangle_limit(policy_.lambda);
     tbb::parallel_for(std::size_t{0}, crowded_.size(), [&](std::size_t i) {
         const CrowdedCell& place = crowded_[i];
@@ -217,46 +205,85 @@ void GridBuilder::measure_nested(const TriangleView& triangles, std::size_t dept
         const TriangleList list{.indices = above.references.data() + begin,
                                 .count = above.cell_begin[place.cell + 1] - begin};
         jobs_[i] = {.triangles = list,
+                    .nested = true,
                     .reference_limit = static_cast<std::uint64_t>(limit * double(list.count))};
-
+        if (last_frame_.still() != nullptr && take_over(depth, i, list)) return;
         const UniformGrid& parent = above.grids[place.grid];
-        const Bounds3 cell = box_of_cell(parent, place.cell - parent.first_cell);
-        Bounds3 box = traceable_bounds(triangles, list);
-        box = {.min = glm::max(box.min, cell.min), .max = glm::min(box.max, cell.max)};
-        // From far away corners stand beside their places, by more than the padding of a small box.
-        if (!box.empty()) {
-            box.min -= static_cast<float>(parent.least_slack);
-            box.max += static_cast<float>(parent.least_slack);
-        }
-        level.grids[i] = grid_in(box.empty() ? cell : box, list.count, policy_, parent.least_slack);
+        level.grids[i] = nested_grid(triangles, parent, place.cell - parent.first_cell, list);
     });
+}
+
+/// The grid of a crowded cell.
+UniformGrid GridBuilder::nested_grid(const TriangleView& triangles, const UniformGrid& parent,
+                                     std::size_t cell_of_parent, const TriangleList& list) const {
+    const Bounds3 cell = box_of_cell(parent, cell_of_parent);
+    Bounds3 box = traceable_bounds(triangles, list);
+    box = {.min = glm::max(box.min, cell.min), .max = glm::min(box.max, cell.max)};
+    // From far away corners stand beside their places, by more than the padding of a small box.
+    if (!box.empty()) {
+        box.min -= static_cast<float>(parent.least_slack);
+        box.max += static_cast<float>(parent.least_slack);
+    }
+    return grid_in(box.empty() ? cell : box, list.count, policy_, parent.least_slack);
+}
+
+/// Remembers a nested grid's place, and takes the grid over from the last frame if it is the same.
+/// @return whether it is
+bool GridBuilder::take_over(std::size_t depth, std::size_t index, const TriangleList& list) {
+    const CrowdedCell& place = crowded_[index];
+    const UniformGrid& parent = grid_.levels[depth - 1].grids[place.grid];
+    NestedGrid& next = last_frame_.nested(depth)[index];
+    next = {.parent = place.grid, .cell = static_cast<std::uint32_t>(place.cell - parent.first_cell)};
+    next.still = depth > 1
+                     ? last_frame_.nested(depth - 1)[place.grid].still
+                     : std::all_of(list.indices, list.indices + list.count, [&](std::uint32_t triangle) {
+                           return last_frame_.still()->is_still(triangle);
+                       });
+    next.was = last_frame_.same_as(depth, next);
+    if (!next.was) return false;
+
+    const NestedGrid& same = last_frame_.last(depth, *next.was);
+    GridJob& job = jobs_[index];
+    job.triangles = {};
+    job.dropped = same.dropped;
+    const UniformGrid& grid = last_frame_.last_grid(depth, *next.was);
+    if (!same.dropped) job.known = KnownLists{.first_cell = grid.first_cell};
+    grid_.levels[depth].grids[index] = grid;
+    return true;
 }
 
 /// Puts the grids of a level in the place of the cells they were made of.
 void GridBuilder::mark_nested(std::size_t depth) {
     GridLevel& above = grid_.levels[depth - 1];
+    Buffer<NestedGrid>& remembered = last_frame_.nested(depth);
     tbb::parallel_for(std::size_t{0}, crowded_.size(), [&](std::size_t i) {
+        const std::size_t cell = crowded_[i].cell;
+        std::uint32_t* const first = above.references.data() + above.cell_begin[cell];
+        if (last_frame_.still() != nullptr) {
+            remembered[i].dropped = jobs_[i].dropped;
+            std::copy_n(first, 2, remembered[i].displaced);
+        }
         if (jobs_[i].dropped) return;
-        std::uint32_t* const first = above.references.data() + above.cell_begin[crowded_[i].cell];
         first[0] = nested_mark | static_cast<std::uint32_t>(i);
-        first[1] = static_cast<std::uint32_t>(jobs_[i].triangles.count);
+        first[1] = above.cell_begin[cell + 1] - above.cell_begin[cell];
     });
 }
 
 void GridBuilder::release() {
     grid_ = {};
     sort_.release();
+    last_frame_.forget();
     oversized_ = 0;
 }
 
 std::size_t GridBuilder::used_bytes() const {
-    std::size_t sum = sort_.used_bytes();
+    std::size_t sum = sort_.used_bytes() + last_frame_.used_bytes();
     for (const GridLevel& level : grid_.levels) sum += level.used_bytes();
     return sum;
 }
 
 std::size_t GridBuilder::bytes() const {
-    std::size_t sum = sort_.bytes();
+    std::size_t sum = sort_.bytes() + last_frame_.bytes();
     for (const GridLevel& level : grid_.levels) sum += level.bytes();
     return sum;
 }

@@ -3,6 +3,7 @@
 
 #include "rebuild/build_report.h"
 #include "rebuild/grid.h"
+#include "rebuild/last_frame.h"
 #include "rebuild/level_sort.h"
 #include "rebuild/resolution.h"
 #include "rebuild/triangle_view.h"
@@ -13,6 +14,8 @@ namespace gridreel::rebuild {
 
 /// Rebuilds a grid in parallel by counting sort, keeping all memory from one frame to the next:
 /// once the largest frame has been seen nothing is allocated, until frames have long needed less than half.
+/// Where triangles are known to stand still (`TriangleView::still`) it takes over what the last frame's lists
+/// say of them; the grid is the same byte for byte.
 ///
 /// Work runs in the calling thread's TBB arena. The grid is byte-identical for any number of threads.
 class GridBuilder {
@@ -29,6 +32,7 @@ public:
     /// do on average, unless that would list each of them more than 4 max(1, lambda)^(2/3) times.
     ///
     /// @throws std::length_error for 2^31 triangles or more
+    /// @throws std::invalid_argument for `still` of another number of triangles
     BuildReport rebuild(const TriangleView& triangles);
 
     /// Cells per triangle from the next rebuild on.
@@ -38,9 +42,14 @@ public:
     [[nodiscard]] const Grid& grid() const { return grid_; }
 
 private:
+    [[nodiscard]] Bounds3 measure(const TriangleView& triangles);
     void build_top(const TriangleView& triangles, const Bounds3& box, BuildReport& report);
+    [[nodiscard]] GridJob top_job(std::size_t triangles, const StillTriangles* known) const;
     [[nodiscard]] bool nest(const TriangleView& triangles, std::size_t depth, BuildReport& report);
     void measure_nested(const TriangleView& triangles, std::size_t depth);
+    [[nodiscard]] UniformGrid nested_grid(const TriangleView& triangles, const UniformGrid& parent,
+                                          std::size_t cell, const TriangleList& list) const;
+    [[nodiscard]] bool take_over(std::size_t depth, std::size_t index, const TriangleList& list);
     void mark_nested(std::size_t depth);
     void release();
     [[nodiscard]] std::size_t bytes() const;
@@ -49,6 +58,7 @@ private:
     ResolutionPolicy policy_;
     Grid grid_;
     LevelSort sort_;
+    LastFrame last_frame_;
     std::vector<GridJob> jobs_;  ///< of the level being built
     std::vector<CrowdedCell> crowded_;
     int oversized_ = 0;  ///< frames in a row that needed less than half of the memory

@@ -13,6 +13,8 @@ namespace gridreel::rebuild {
 namespace {
 
 constexpr std::size_t cells_per_piece = 1 << 13;
+/// Known lists take longer than prefix sums.
+constexpr std::size_t cells_per_known_piece = 1 << 10;
 constexpr std::size_t prefetch_distance = 16;  // references; about what waiting for a cache costs
 
 /// The k-th of `parts` equal parts of `count` things begins here.
@@ -32,41 +34,49 @@ void LevelSort::lay_out(std::span<const GridJob> jobs, GridLevel& level) {
         UniformGrid& grid = level.grids[j];
         const std::size_t triangles = jobs[j].triangles.count;
         Layout& layout = layouts_[j];
-        layout = {.first_histogram = histograms,
-                  .chunks = std::clamp<std::size_t>(triangles / triangles_per_chunk, 1,
-                                                    std::min(threads, chunk_limit))};
+        layout = {.first_histogram = histograms, .cells = grid.cell_count()};
+        if (triangles > 0) {
+            layout.chunks =
+                std::clamp<std::size_t>(triangles / triangles_per_chunk, 1, std::min(threads, chunk_limit));
+        }
+        layout.histograms = std::max<std::size_t>(layout.chunks, jobs[j].known ? 1 : 0);
         const auto job = static_cast<std::uint32_t>(j);
         for (std::size_t k = 0; k < layout.chunks; ++k) {
             Chunk chunk{.job = job,
                         .begin = part_begin(triangles, k, layout.chunks),
                         .end = part_begin(triangles, k + 1, layout.chunks),
-                        .histogram = histograms,
+                        .histogram = histograms + k * grid.cell_count(),
                         .first_reference = references,
                         .first_triangle = all_triangles + part_begin(triangles, k, layout.chunks)};
             const double room = room_per_triangle(jobs[j]) * double(chunk.end - chunk.begin);
             chunk.capacity = std::min<std::size_t>(jobs[j].reference_limit, static_cast<std::size_t>(room));
             chunks_.push_back(chunk);
             references += chunk.capacity + ReferenceRoom::padding;
-            histograms += grid.cell_count();
         }
+        histograms += layout.histograms * grid.cell_count();
         all_triangles += triangles;
         grid.first_cell = cells;
-        const std::size_t pieces = (grid.cell_count() + cells_per_piece - 1) / cells_per_piece;
+        const std::size_t per_piece = jobs[j].known ? cells_per_known_piece : cells_per_piece;
+        const std::size_t pieces = (grid.cell_count() + per_piece - 1) / per_piece;
         for (std::size_t k = 0; k < pieces; ++k) {
             pieces_.push_back({.job = job,
                                .begin = part_begin(grid.cell_count(), k, pieces),
-                               .end = part_begin(grid.cell_count(), k + 1, pieces)});
+                               .end = part_begin(grid.cell_count(), k + 1, pieces),
+                               .first_known = references});
+            if (!jobs[j].known) continue;
+            const std::uint32_t* const begins = level.cell_begin.data() + jobs[j].known->first_cell;
+            references += begins[pieces_.back().end] - begins[pieces_.back().begin];
         }
         cells += grid.cell_count();
     }
     cells_.resize(references);
     triangles_.resize(all_triangles);
     histograms_.resize(histograms);
-    level.cell_begin.resize(cells + 1);
+    any_known_ = std::any_of(jobs.begin(), jobs.end(), [](const GridJob& job) { return job.known; });
 }
 
 double& LevelSort::room_per_triangle(const GridJob& job) {
-    return room_per_triangle_[job.triangles.indices == nullptr ? 0 : 1];
+    return room_per_triangle_[job.nested ? 1 : 0];
 }
 
 ReferenceRoom LevelSort::room_of(const Chunk& chunk) {
@@ -88,6 +98,28 @@ void LevelSort::find(const TriangleView& triangles, const GridJob& job, const Un
     for (std::size_t k = 0; k < chunk.references; ++k) ++histogram[room.cells[k] & ~next_triangle];
 }
 
+/// Copies a piece of known lists and counts them.
+void LevelSort::take_over(const KnownLists& known, const GridLevel& level, Piece& piece) {
+    const Layout& layout = layouts_[piece.job];
+    std::uint32_t* const histogram = last_histogram(layout);
+    if (layout.chunks == 0) std::fill(histogram + piece.begin, histogram + piece.end, 0u);
+    piece.references =
+        copy_known(known, level, piece.begin, piece.end, cells_.data() + piece.first_known, histogram);
+}
+
+/// Puts a piece of known lists among what was found.
+void LevelSort::merge(const Piece& piece, GridLevel& level) {
+    const Layout& layout = layouts_[piece.job];
+    const std::uint32_t* const begins = level.cell_begin.data() + level.grids[piece.job].first_cell;
+    const std::uint32_t* const known = cells_.data() + piece.first_known;
+    std::uint32_t* const references = level.references.data();
+    if (layout.chunks == 0) {
+        std::copy_n(known, begins[piece.end] - begins[piece.begin], references + begins[piece.begin]);
+    } else {
+        merge_known(known, piece.begin, piece.end, begins, last_histogram(layout), references);
+    }
+}
+
 /// @return false if some chunk found more references than it had room for: now there will be
 bool LevelSort::make_room(std::span<const GridJob> jobs) {
     bool enough = true;
@@ -100,6 +132,14 @@ bool LevelSort::make_room(std::span<const GridJob> jobs) {
     return enough;
 }
 
+template <class Visit>
+void LevelSort::for_each_known(std::span<const GridJob> jobs, const Visit& visit) {
+    if (!any_known_) return;
+    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
+        if (jobs[pieces_[k].job].known) visit(pieces_[k]);
+    });
+}
+
 void LevelSort::count(const TriangleView& triangles, std::span<GridJob> jobs, GridLevel& level) {
     do {
         lay_out(jobs, level);
@@ -107,8 +147,10 @@ void LevelSort::count(const TriangleView& triangles, std::span<GridJob> jobs, Gr
             const std::uint32_t job = chunks_[k].job;
             find(triangles, jobs[job], level.grids[job], chunks_[k]);
         });
+        for_each_known(jobs, [&](Piece& piece) { take_over(*jobs[piece.job].known, level, piece); });
         for (GridJob& job : jobs) job.references = 0;
         for (const Chunk& chunk : chunks_) jobs[chunk.job].references += chunk.references;
+        for (const Piece& piece : pieces_) jobs[piece.job].references += piece.references;
     } while (!make_room(jobs));
 }
 
@@ -120,7 +162,7 @@ bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
         if (jobs[piece.job].dropped) return;
         const std::size_t cells = level.grids[piece.job].cell_count();
         const Layout& layout = layouts_[piece.job];
-        for (std::size_t h = 0; h < layout.chunks; ++h) {
+        for (std::size_t h = 0; h < layout.histograms; ++h) {
             const std::uint32_t* histogram = histograms_.data() + layout.first_histogram + h * cells;
             for (std::size_t c = piece.begin; c < piece.end; ++c) piece.references += histogram[c];
         }
@@ -133,6 +175,8 @@ bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
     if (total > std::numeric_limits<std::uint32_t>::max()) return false;
 
     // cell_begin[c], and in each histogram the first slot of its chunk in cell c.
+    const UniformGrid& last = level.grids[level.grids.size() - 1];
+    level.cell_begin.resize(last.first_cell + last.cell_count() + 1);
     // Whoever reads whole registers also does at lists that are empty, be they all.
     if (total == 0) level.references.resize(1);
     level.references.resize(total);
@@ -150,7 +194,7 @@ bool LevelSort::scan(std::span<const GridJob> jobs, GridLevel& level) {
         std::uint32_t* const histograms = histograms_.data() + layout.first_histogram;
         for (std::size_t c = piece.begin; c < piece.end; ++c) {
             begins[c] = next;
-            for (std::size_t h = 0; h < layout.chunks; ++h) {
+            for (std::size_t h = 0; h < layout.histograms; ++h) {
                 next += std::exchange(histograms[h * cells + c], next);
             }
             piece.occupied += next != begins[c];
@@ -181,6 +225,7 @@ void LevelSort::scatter(std::span<const GridJob> jobs, GridLevel& level) {
         }
         for (std::size_t i = prefetched; i < count; ++i) place(i);
     });
+    for_each_known(jobs, [&](const Piece& piece) { merge(piece, level); });
 }
 
 /// From how many references on a cell of each grid is crowded.

@@ -16,6 +16,7 @@ struct ResolutionPolicy {
     std::int32_t max_cells_per_axis = 1024;  ///< in [1, 65535]; bounds memory on thin scenes
     std::int64_t max_cells = 1 << 27;        ///< >= 1; over all three axes
     std::uint32_t nest_above = 128;          ///< only cells of more triangles become grids; 0: none does
+    bool heed_still = true;                  ///< take over lists of triangles known to stand still
 };
 
 /// Grid resolution for `triangle_count` triangles inside `world`.

@@ -1,10 +1,13 @@
 #pragma once
 // The language between whoever makes triangles and whoever builds structures over them.
 
+#include "rebuild/still_triangles.h"
+
 #include <glm/vec3.hpp>
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <span>
 
 namespace gridreel::rebuild {
@@ -22,6 +25,9 @@ inline constexpr float largest_coordinate = 1e12f;
 struct TriangleView {
     std::span<const glm::vec3> positions;
     std::span<const glm::uvec3> triangles;
+    /// Those that stand still from frame to frame; nullptr: nothing is known. What is rebuilt never depends
+    /// on it, only how soon.
+    std::shared_ptr<const StillTriangles> still = nullptr;
 
     [[nodiscard]] std::size_t size() const { return triangles.size(); }
 };

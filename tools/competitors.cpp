@@ -23,13 +23,13 @@ using traversal::EmbreeQuality;
 using traversal::EmbreeRays;
 using traversal::TracerKind;
 
-/// "grid", "grid:0.5", "grid:packet=8", "grid:0.5,packet=8": the λ where there are several, what is varied of
-/// packets.
-std::string grid_name(const std::string& accel, const std::string& lambda, bool several,
-                      const std::string& packets) {
-    if (!several && packets.empty()) return accel;
-    const char* const comma = several && !packets.empty() ? "," : "";
-    return fmt::format("{}:{}{}{}", accel, several ? lambda : "", comma, packets);
+/// "grid", "grid:0.5", "grid:packet=8", "grid:0.5,still=unknown,packet=8": what there are several of.
+std::string grid_name(const std::string& accel, const std::vector<std::string>& varied) {
+    std::string name = accel;
+    for (const std::string& choice : varied) {
+        if (!choice.empty()) name += (name == accel ? ":" : ",") + choice;
+    }
+    return name;
 }
 
 /// The grid, by packets or ray by ray, with every λ and in every way asked for.
@@ -40,10 +40,15 @@ std::vector<NamedTracer> read_grids(const CompetitorText& text, const std::strin
     std::vector<NamedTracer> tracers;
     for (const std::string& lambda : text.lambdas) {
         set_lambda(lambda, options);
-        for (const LabelledPackets& choice : packets) {
-            options.packets = choice.options;
-            tracers.push_back({.name = grid_name(accel, lambda, text.lambdas.size() > 1, choice.label),
-                               .options = options});
+        for (const std::string& still : text.still) {
+            options.resolution.heed_still = still == "known";
+            for (const LabelledPackets& choice : packets) {
+                options.packets = choice.options;
+                const std::string name =
+                    grid_name(accel, {text.lambdas.size() > 1 ? lambda : "",
+                                      text.still.size() > 1 ? "still=" + still : "", choice.label});
+                tracers.push_back({.name = name, .options = options});
+            }
         }
     }
     return tracers;
@@ -98,6 +103,15 @@ void add_competitor_options(CLI::App& app, CompetitorText& text) {
         ->allow_extra_args(false)
         ->type_name("LIST")
         ->default_str("auto")
+        ->group(group);
+    app.add_option("--still", text.still,
+                   "Whether grids know which triangles never move, and keep their lists: known, unknown; "
+                   "several: a grid for each")
+        ->check(CLI::IsMember({"known", "unknown"}).description(""))
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("LIST")
+        ->default_str("known")
         ->group(group);
     app.add_option("--embree-quality", text.embree_qualities,
                    "Embree's hierarchy: low and medium are built every frame, refit at the clip's start; "

@@ -17,12 +17,13 @@ namespace gridreel::tools {
 struct CompetitorText {
     std::vector<std::string> accels{"grid"};
     std::vector<std::string> lambdas{"auto"};
+    std::vector<std::string> still{"known"};
     PaperText paper;
     std::vector<std::string> embree_qualities{"low"};
     std::string embree_rays = "auto";
 };
 
-/// --accel --lambda --embree-quality --embree-rays, and those of `add_paper_options`.
+/// --accel --lambda --still --embree-quality --embree-rays, and those of `add_paper_options`.
 void add_competitor_options(CLI::App& app, CompetitorText& text);
 
 /// Every structure with every choice that there is for it, each under a name of its own.

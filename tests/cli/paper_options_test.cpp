@@ -63,6 +63,17 @@ TEST_CASE("labels name what is varied and nothing else", "[cli][bench][paper]") 
                 "grid-single:1", "grid-single:paper"});
 }
 
+TEST_CASE("bench compares grids that know what stands still with grids that do not", "[cli][bench]") {
+    const ScratchFolder folder;
+    write_tiny_scene(folder.path());
+    CHECK(competitors(folder, {"--still", "unknown"}) == Names{"grid"});
+    CHECK(competitors(folder, {"--still", "known,unknown", "--accel", "grid-single"}) ==
+          Names{"grid-single:still=known", "grid-single:still=unknown"});
+    CHECK(competitors(folder, {"--still", "known,unknown", "--lambda", "1,2", "--packet", "4,8"})
+              .count("grid:2,still=known,packet=8") == 1);
+    CHECK(bench(folder, {"--still", "maybe"}).exit_code == 2);
+}
+
 TEST_CASE("macrocells are a switch, and a list of both", "[cli][bench][paper]") {
     const ScratchFolder folder;
     write_tiny_scene(folder.path());

@@ -3,6 +3,7 @@
 #include "rebuild/grid_builder.h"
 
 #include "soup.h"
+#include "tests/rebuild/grid_contents.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,18 +13,24 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
+#include <memory>
 #include <new>
 #include <random>
+#include <vector>
 
 namespace {
 
 /// Calls of the operator that `rebuild::Buffer` allocates with.
 std::atomic<std::size_t> allocations = 0;
 
+/// The first of them that finds no memory.
+std::atomic<std::size_t> first_to_fail = std::numeric_limits<std::size_t>::max();
+
 }  // namespace
 
 void* operator new[](std::size_t bytes, std::align_val_t alignment) {
-    ++allocations;
+    if (++allocations >= first_to_fail) throw std::bad_alloc();
     const auto unit = static_cast<std::size_t>(alignment);
     void* const memory = std::aligned_alloc(unit, (bytes + unit - 1) / unit * unit);
     if (memory == nullptr) throw std::bad_alloc();
@@ -89,6 +96,51 @@ TEST_CASE("levels that a frame has no grids on are empty", "[rebuild]") {
         CHECK(builder.grid().levels[depth].cell_begin.empty());
         CHECK(builder.grid().levels[depth].references.empty());
     }
+}
+
+TEST_CASE("nothing is taken over from a frame that found no memory", "[rebuild]") {
+    // All stand still but the last triangle, which flies far off in the frame that fails.
+    Soup soup = half_crowded(4'000, 0.01f);
+    const std::size_t still = soup.triangles.size() - 1;
+    TriangleView view = soup.view();
+    view.still = std::make_shared<StillTriangles>(still + 1, std::vector<TriangleRun>{{0, still}});
+    const auto place = [&](float z) {
+        for (std::size_t i = 3 * still; i < soup.positions.size(); ++i) soup.positions[i].z = z;
+    };
+    place(0.5f);
+    GridBuilder fresh;
+    REQUIRE(fresh.rebuild(soup.view()).nested_grids > 0);
+
+    bool failed = true;
+    std::size_t failures = 0;
+    for (std::size_t lucky = 0; failed; ++lucky) {
+        GridBuilder builder;
+        place(0.5f);
+        (void)builder.rebuild(view);
+        place(2.0f);
+        (void)builder.rebuild(view);
+        place(30.0f);
+        builder.set_lambda(4.0f);
+        first_to_fail = allocations + lucky + 1;
+        failed = false;
+        try {
+            (void)builder.rebuild(view);
+        } catch (const std::bad_alloc&) {
+            failed = true;
+            ++failures;
+        }
+        first_to_fail = std::numeric_limits<std::size_t>::max();
+
+        for (const float z : {30.0f, 2.0f, 30.0f}) {
+            place(z);
+            const BuildReport report = builder.rebuild(view);
+            GridBuilder other;
+            other.set_lambda(4.0f);
+            CHECK(report.cells == other.rebuild(soup.view()).cells);
+            REQUIRE(test::grid_contents(builder.grid()) == test::grid_contents(other.grid()));
+        }
+    }
+    CHECK(failures > 0);
 }
 
 }  // namespace gridreel::rebuild
