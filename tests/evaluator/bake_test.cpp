@@ -62,6 +62,7 @@ void check_bake(const std::filesystem::path& scene, const std::string& animation
     const sequences::BakeJob job{.take = {.scene_file = scene,
                                           .animation = animation,
                                           .scene = {},
+                                          .variant = {},
                                           .rate = {.numerator = 30000, .denominator = 1001},
                                           .frames = std::vector<sequences::Frame>{17, -3, 0, 5, 100000}},
                                  .output = sequences::FramePattern((folder / "####.ply").string()),
