@@ -1,5 +1,6 @@
 #include "traversal/grid_tracer.h"
 
+#include "traversal/loose_kernel.h"
 #include "traversal/packet_kernel.h"
 #include "traversal/single_ray_kernel.h"
 #include "traversal/stream_kernel.h"
@@ -22,6 +23,7 @@ constexpr std::size_t rays_per_task = 4096;  // incoherent: at a task's end, few
 /// Rays in a task share a mailbox: so that reports are the same for any number of threads, tasks are, too.
 const tbb::simple_partitioner always_the_same;
 constexpr std::size_t packets_per_task = 4;
+constexpr std::size_t hard_ray = 4;            // rays, when it comes to what is worth knowing of cells
 constexpr std::size_t references_per_ray = 2;  // of more, what is known of them costs more than it saves
 
 /// Runs `trace(begin, end)` over pieces of [0, count) in parallel. The reports are integers, so their sum
@@ -74,13 +76,47 @@ TraceReport GridTracer::trace_each(const GridScene& scene, const RayBatch& rays,
     return report;
 }
 
+template <class Packets, class Kernel, class Answers>
+TraceReport GridTracer::trace_loose(const GridScene& scene, const RayBatch& rays, const Packets& packets,
+                                    Kernel streams, OcclusionBatch& left, Answers& answers) {
+    TraceReport report;
+    if (scene.grid.empty()) {
+        std::fill(left.begin(), left.end(), undecided);
+    } else {
+        const PacketSource source(rays, resumed_, nullptr, packets_);
+        report = trace_in_parallel(
+            source.packet_count(), packets_per_task,
+            [&](std::size_t first, std::size_t last) { return packets(source, first, last); });
+    }
+    if (report.rays < rays.size()) {
+        // Those that are left are the ones whose cells are full: worth more than the average ray.
+        const CellDigest cells = digest(hard_ray * (rays.size() - report.rays));
+        report += trace_in_parallel(
+            rays.size(), rays_per_task,
+            [&](std::size_t first, std::size_t last) {
+                return streams(scene, cells, rays, resumed_, Unanswered(left.data(), left.size()), first,
+                               last, answers);
+            },
+            always_the_same);
+        report.extra_bytes = digest_bytes();
+    }
+    report.rays = rays.size();
+    return report;
+}
+
 TraceReport GridTracer::closest_hits(const RayBatch& rays, HitBatch& hits) {
     hits.resize(rays.size());
     if (rays.size() == 0) return {};
     const GridScene scene = begin(rays);
+    if (traversal_ == Traversal::one_by_one) return trace_each(scene, rays, closest_one_by_one, hits);
     if (!in_packets(rays)) {
-        return trace_each(
-            scene, rays, traversal_ == Traversal::one_by_one ? closest_one_by_one : closest_in_streams, hits);
+        left_.resize(rays.size());
+        return trace_loose(
+            scene, rays,
+            [&](const PacketSource& source, std::size_t first, std::size_t last) {
+                return closest_in_loose_packets(scene, source, first, last, hits, left_);
+            },
+            closest_in_streams, left_, hits);
     }
     const bool sorts = rays.order != RayOrder::coherent;
     const PacketSource source(rays, resumed_, sorts ? &ray_sort_.sort(rays) : nullptr, packets_);
@@ -94,9 +130,14 @@ TraceReport GridTracer::any_hits(const RayBatch& rays, OcclusionBatch& occluded)
     occluded.resize(rays.size());
     if (rays.size() == 0) return {};
     const GridScene scene = begin(rays);
+    if (traversal_ == Traversal::one_by_one) return trace_each(scene, rays, any_one_by_one, occluded);
     if (!in_packets(rays)) {
-        return trace_each(scene, rays, traversal_ == Traversal::one_by_one ? any_one_by_one : any_in_streams,
-                          occluded);
+        return trace_loose(
+            scene, rays,
+            [&](const PacketSource& source, std::size_t first, std::size_t last) {
+                return any_in_loose_packets(scene, source, first, last, occluded);
+            },
+            any_in_streams, occluded, occluded);
     }
     TraceReport report;
     const SortedRays* sorted = nullptr;

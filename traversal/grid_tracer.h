@@ -12,7 +12,8 @@
 namespace gridreel::traversal {
 
 /// Rebuilds a uniform grid and traces rays through it: batches with a common origin or direction as coherent
-/// packets, all others a few at a time, each on its own way; or, if told so, all of them ray by ray.
+/// packets, and those of others whose neighbours run nearly the same way; the rest a few at a time, each on
+/// its own way; or, if told so, all of them ray by ray.
 class GridTracer final : public Tracer {
 public:
     enum class Traversal { coherent, one_by_one };
@@ -34,6 +35,11 @@ private:
     /// Each ray on its own way.
     template <class Kernel, class Answers>
     TraceReport trace_each(const GridScene& scene, const RayBatch& rays, Kernel kernel, Answers& answers);
+    /// Those in packets that run nearly the same way, the others in streams.
+    /// @param packets  answers some packets, and says which rays are `left`
+    template <class Packets, class Kernel, class Answers>
+    TraceReport trace_loose(const GridScene& scene, const RayBatch& rays, const Packets& packets,
+                            Kernel streams, OcclusionBatch& left, Answers& answers);
     /// Leaves rays `undecided` that are better sorted.
     TraceReport any_as_they_come(const GridScene& scene, const RayBatch& rays, OcclusionBatch& occluded);
 
@@ -48,6 +54,7 @@ private:
     rebuild::TriangleView triangles_;
     ResumedRays resumed_;
     RaySort ray_sort_;
+    OcclusionBatch left_;  ///< `undecided` rays of a batch without common origin or direction
 };
 
 }  // namespace gridreel::traversal

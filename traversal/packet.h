@@ -21,6 +21,7 @@ using BlockMask = std::uint64_t;
 enum class Bundle {
     pencil,    ///< their origin
     parallel,  ///< their direction
+    loose,     ///< neither: they only run nearly the same way
 };
 
 /// Rays of one frame (`Axes`), block after block; lanes beyond `ray_count` repeat a ray and can hit nothing.
@@ -48,7 +49,14 @@ struct alignas(64) Packet {
     float near_depth[blocks_per_packet];  ///< from `origin`: least depth_min, less `depth_error`
     float far_depth[blocks_per_packet];   ///< from `origin`: greatest depth; negative when the block is done
 
-    // Of each of parallel rays.
+    // Of each block of loose rays, for whom `centre` and `half` are places at `near_plane`: how those grow
+    // with depth up to `far_plane`.
+    float turn_u[blocks_per_packet];
+    float spread_u[blocks_per_packet];
+    float turn_v[blocks_per_packet];
+    float spread_v[blocks_per_packet];
+
+    // Of each of parallel or loose rays.
     float begin[rays_per_packet];  ///< depth from `origin` at which the ray starts
     float origin_k[rays_per_packet], origin_u[rays_per_packet], origin_v[rays_per_packet];  ///< the ray's own
 
@@ -57,6 +65,7 @@ struct alignas(64) Packet {
     std::uint32_t ray_count;
     float margin;                          ///< `rounding_margin`, or of parallel rays `place_error`, metres
     float common_slope_u, common_slope_v;  ///< of parallel rays
+    float near_plane, far_plane;  ///< of loose rays: depths from `origin` that all their hits lie between
 
     [[nodiscard]] std::size_t block_count() const {
         return (ray_count + rays_per_block - 1) / rays_per_block;

@@ -13,6 +13,7 @@
 #include "traversal/grid_scene.h"
 #include "traversal/lanes-inl.h"
 #include "traversal/packet.h"
+#include "traversal/packet_frustum-inl.h"
 #include "traversal/parallel_depths-inl.h"
 #include "traversal/parallel_meeting-inl.h"
 #include "traversal/parallel_triangle-inl.h"
@@ -29,38 +30,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
 namespace HWY_NAMESPACE {
-
-/// The hull of the active blocks: slopes within centre +- half, depths that can still matter.
-struct Frustum {
-    float centre_u = 0.0f, half_u = 0.0f, centre_v = 0.0f, half_v = 0.0f;
-    float near_depth = 0.0f, far_depth = -1.0f;
-
-    /// What triangles are seen along.
-    [[nodiscard]] HWY_INLINE Slopes<Lanes> centre(LaneTag d) const {
-        return {hn::Set(d, centre_u), hn::Set(d, centre_v)};
-    }
-};
-
-HWY_INLINE Frustum frustum_of(const Packet& packet, BlockMask active) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    float low_u = infinity, high_u = -infinity, low_v = infinity, high_v = -infinity;
-    Frustum hull;
-    hull.near_depth = packet.near_depth[std::countr_zero(active)];
-    for (BlockMask rest = active; rest != 0; rest &= rest - 1) {
-        const int block = std::countr_zero(rest);
-        low_u = std::min(low_u, packet.centre_u[block] - packet.half_u[block]);
-        high_u = std::max(high_u, packet.centre_u[block] + packet.half_u[block]);
-        low_v = std::min(low_v, packet.centre_v[block] - packet.half_v[block]);
-        high_v = std::max(high_v, packet.centre_v[block] + packet.half_v[block]);
-        hull.near_depth = std::min(hull.near_depth, packet.near_depth[block]);
-        hull.far_depth = std::max(hull.far_depth, packet.far_depth[block]);
-    }
-    hull.centre_u = 0.5f * (low_u + high_u);
-    hull.centre_v = 0.5f * (low_v + high_v);
-    hull.half_u = std::max(high_u - hull.centre_u, hull.centre_u - low_u) + packet.margin;
-    hull.half_v = std::max(high_v - hull.centre_v, hull.centre_v - low_v) + packet.margin;
-    return hull;
-}
 
 inline constexpr int plane_row = 3;
 

@@ -57,15 +57,17 @@ HWY_INLINE void bound_blocks(Packet& packet) {
             continue;
         }
         const std::size_t first = block * rays_per_block;
-        const auto bound = [&](const float* slopes, float& centre, float& half) {
-            const float low = least(slopes), high = greatest(slopes);
-            centre = 0.5f * (low + high);
-            half = std::max(high - centre, centre - low) + packet.margin;
-        };
-        bound(packet.slope_u + first, packet.centre_u[block], packet.half_u[block]);
-        bound(packet.slope_v + first, packet.centre_v[block], packet.half_v[block]);
+        if constexpr (bundle != Bundle::loose) {
+            const auto bound = [&](const float* slopes, float& centre, float& half) {
+                const float low = least(slopes), high = greatest(slopes);
+                centre = 0.5f * (low + high);
+                half = std::max(high - centre, centre - low) + packet.margin;
+            };
+            bound(packet.slope_u + first, packet.centre_u[block], packet.half_u[block]);
+            bound(packet.slope_v + first, packet.centre_v[block], packet.half_v[block]);
+        }
         // A hit just behind depth_min may be rounded beyond it from a slice before.
-        if constexpr (bundle == Bundle::parallel) {
+        if constexpr (bundle != Bundle::pencil) {
             packet.near_depth[block] = nearest_parallel_depth(packet, first);
             packet.far_depth[block] = farthest_parallel_depth(packet, first);
         } else {

@@ -10,6 +10,7 @@
 #include "traversal/candidates.h"
 #include "traversal/cell_lists-inl.h"
 #include "traversal/grid_scene.h"
+#include "traversal/loose_intersect-inl.h"
 #include "traversal/packet_intersect-inl.h"
 
 #include <hwy/cache_control.h>
@@ -32,8 +33,11 @@ constexpr std::size_t worth_a_pass = 8;
 /// A packet that covers more cells than this per active block in one slice goes on as two.
 constexpr std::int64_t cells_per_block_limit = 16;
 
+/// A block of loose rays that covers more is given up: they do not run the same way.
+constexpr std::int64_t cells_of_loose_block_limit = 128;
+
 /// What things take, in cycles, roughly: counted, not timed, so that a limit means the same every time.
-constexpr std::uint64_t work_of_cell = 10, work_of_candidate = 35, work_of_test = 2;
+constexpr std::uint64_t work_of_cell = 10, work_of_candidate = 35, work_of_test = 2, work_of_loose_test = 8;
 constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 
 /// The grid as the packet sees it: one axis across, in depth and offsets from the packet's origin.
@@ -45,20 +49,6 @@ struct Across {
 
     [[nodiscard]] int cell(double offset) const {
         return static_cast<int>(std::clamp(std::floor((offset - low) * cells_per_metre), 0.0, double(last)));
-    }
-};
-
-struct Interval {
-    double low, high;
-};
-
-/// Where rays can be across, along one axis: at depth s from low + s * low_slope to high + s * high_slope.
-struct Sweep {
-    double low, high, low_slope, high_slope;
-
-    [[nodiscard]] Interval between(double from, double to) const {
-        return {low + std::min(from * low_slope, to * low_slope),
-                high + std::max(from * high_slope, to * high_slope)};
     }
 };
 
@@ -75,6 +65,8 @@ struct Stage {
 
 template <Wanted wanted, Bundle bundle = Bundle::pencil>
 class March {
+    using Frustum = FrustumOf<bundle>;
+
 public:
     March(const GridScene& scene, Packet& packet, Candidates& candidates, TraceReport& report)
         : scene_(scene), packet_(packet), candidates_(candidates), report_(report) {}
@@ -88,8 +80,8 @@ public:
         const Stage top = stage(0, 0);
         // Corners are rounded when they are taken relative to the origin: far away they stand beside their
         // cells.
-        corner_error_ = bundle == Bundle::parallel ? double(packet_.margin)
-                                                   : corner_error(scene_.grid.top().bounds, packet_.origin);
+        corner_error_ = bundle != Bundle::pencil ? double(packet_.margin)
+                                                 : corner_error(scene_.grid.top().bounds, packet_.origin);
         candidates_.clear(scene_.packets.mailbox);
         walk_alone(top, packet_.all_blocks(), 0);
         return given_up_;
@@ -125,7 +117,7 @@ private:
 
     /// Walks the blocks from `slice` on, and tests all that they collect.
     void walk_alone(const Stage& at, BlockMask active, int slice) {
-        Frustum frustum = frustum_of(packet_, active);
+        Frustum frustum = frustum_of<bundle>(packet_, active);
         walk(at, active, frustum, slice);
         flush(active, frustum);
     }
@@ -157,6 +149,10 @@ private:
                               .v0 = at.v.cell(v.low),
                               .v1 = at.v.cell(v.high)};
             const int blocks = std::popcount(active);
+            if (bundle == Bundle::loose && blocks == 1 && cells.count() > cells_of_loose_block_limit) {
+                given_up_ |= std::exchange(active, 0);
+                return;
+            }
             if (blocks > 1 && cells.count() > cells_per_block_limit * blocks) {
                 split(at, active, frustum, slice);
                 return;
@@ -174,22 +170,8 @@ private:
     };
     /// Where the frustum's rays can be between two depths.
     [[nodiscard]] Span span_between(const Frustum& frustum, double from, double to) const {
-        return {.u = sweep_u(frustum).between(from, to), .v = sweep_v(frustum).between(from, to)};
-    }
-
-    [[nodiscard]] Sweep sweep_u(const Frustum& frustum) const {
-        return sweep(frustum.centre_u, frustum.half_u, packet_.common_slope_u);
-    }
-    [[nodiscard]] Sweep sweep_v(const Frustum& frustum) const {
-        return sweep(frustum.centre_v, frustum.half_v, packet_.common_slope_v);
-    }
-    [[nodiscard]] Sweep sweep(float centre, float half, const float& common_slope) const {
-        const double low = double(centre) - double(half), high = double(centre) + double(half);
-        if constexpr (bundle == Bundle::parallel) {
-            return {low - corner_error_, high + corner_error_, common_slope, common_slope};
-        } else {
-            return {-corner_error_, corner_error_, low, high};
-        }
+        const Sweeps rays = sweeps_of<bundle>(packet_, frustum, corner_error_);
+        return {.u = rays.u.between(from, to), .v = rays.v.between(from, to)};
     }
 
     /// The first slice from `slice` on whose macrocells hold anything that the frustum can reach, or one that
@@ -236,8 +218,9 @@ private:
                 depth = std::max(depth, (axis.low - rays.high) / rays.high_slope);
             }
         };
-        wait_for(at.u, sweep_u(frustum));
-        wait_for(at.v, sweep_v(frustum));
+        const Sweeps rays = sweeps_of<bundle>(packet_, frustum, corner_error_);
+        wait_for(at.u, rays.u);
+        wait_for(at.v, rays.v);
         return static_cast<int>(
             std::clamp(std::floor((depth - at.first_plane) / at.slice_depth), 0.0, double(at.slices)));
     }
@@ -312,8 +295,13 @@ private:
             candidates_.drop_all();
             return;
         }
-        intersect<wanted, bundle>(scene_, packet_, active, frustum, candidates_, report_);
-        work_ += (report_.triangle_tests - tests_before) * work_of_test;
+        if constexpr (bundle == Bundle::loose) {
+            intersect_loose<wanted>(scene_, packet_, active, frustum, candidates_, report_);
+        } else {
+            intersect<wanted, bundle>(scene_, packet_, active, frustum, candidates_, report_);
+        }
+        work_ += (report_.triangle_tests - tests_before) *
+                 (bundle == Bundle::loose ? work_of_loose_test : work_of_test);
         update_reach(active, frustum);
     }
 
@@ -330,14 +318,9 @@ private:
         add_candidates(active, frustum);  // of the grid around this one
         flush(active, frustum);
         if (active == 0) return;
-        const bool by_u = frustum.half_u > frustum.half_v;
-        BlockMask lower = 0;
-        for (BlockMask rest = active; rest != 0; rest &= rest - 1) {
-            const int block = std::countr_zero(rest);
-            const bool below = by_u ? packet_.centre_u[block] < frustum.centre_u
-                                    : packet_.centre_v[block] < frustum.centre_v;
-            if (below) lower |= BlockMask{1} << block;
-        }
+        BlockMask lower =
+            lower_half<bundle>(packet_, active, frustum,
+                               std::max(double(frustum.near_depth), at.first_plane + slice * at.slice_depth));
         if (lower == 0 || lower == active) {  // all blocks alike: any two halves will do
             lower = active;
             for (int dropped = std::popcount(active) / 2; dropped > 0; --dropped) lower &= lower - 1;
@@ -353,6 +336,7 @@ private:
             const int block = std::countr_zero(rest);
             if (packet_.far_depth[block] < 0.0f) active &= ~(BlockMask{1} << block);
         }
+        active &= ~given_up_;
         update_reach(active, frustum);
     }
 

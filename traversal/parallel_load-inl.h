@@ -68,6 +68,28 @@ inline void relate_to_origin(Packet& packet, const rebuild::Bounds3& starts, con
     }
 }
 
+/// Where the rays at `order[0]` to `order[count - 1]` stand in the batch: a function of the first lane. Lanes
+/// behind the last ray repeat it.
+HWY_INLINE auto places_in(const std::uint32_t* order, std::size_t count) {
+    return [order, count](std::size_t lane) HWY_ATTR {
+        const hn::RebindToUnsigned<LaneTag> du;
+        if (lane + hn::Lanes(du) <= count) return hn::LoadU(du, order + lane);
+        HWY_ALIGN std::uint32_t last[group];
+        for (std::size_t i = 0; i < hn::Lanes(du); ++i) last[i] = order[std::min(lane + i, count - 1)];
+        return hn::Load(du, last);
+    };
+}
+
+/// The same for rays [begin, begin + count).
+HWY_INLINE auto places_from(std::size_t begin, std::size_t count) {
+    return [begin, count](std::size_t lane) HWY_ATTR {
+        const hn::RebindToUnsigned<LaneTag> du;
+        const auto set = [&](std::size_t value)
+                             HWY_ATTR { return hn::Set(du, static_cast<std::uint32_t>(value)); };
+        return hn::Add(hn::Min(hn::Add(hn::Iota(du, 0), set(lane)), set(count - 1)), set(begin));
+    };
+}
+
 /// Fills the packet with rays of a batch with a common direction, unless one of them can hit nothing.
 /// @param count     1 to `rays_per_packet`
 /// @param places    `places(lane)`: where in the batch the rays of as many lanes stand, from `lane` on;
@@ -124,26 +146,13 @@ template <class PlacesOf>
 [[nodiscard]] HWY_INLINE bool load_parallel_chosen(const PacketSource& source, const rebuild::Bounds3& grid,
                                                    const std::uint32_t* order, std::size_t count,
                                                    Packet& packet) {
-    const hn::RebindToUnsigned<LaneTag> du;
-    const auto places = [&](std::size_t lane) HWY_ATTR {
-        if (lane + hn::Lanes(du) <= count) return hn::LoadU(du, order + lane);
-        HWY_ALIGN std::uint32_t last[group];
-        for (std::size_t i = 0; i < hn::Lanes(du); ++i) last[i] = order[std::min(lane + i, count - 1)];
-        return hn::Load(du, last);
-    };
-    return load_parallel(source, grid, count, places, packet);
+    return load_parallel(source, grid, count, places_in(order, count), packet);
 }
 
 /// Rays [begin, begin + count) of the batch.
 [[nodiscard]] HWY_INLINE bool load_parallel_run(const PacketSource& source, const rebuild::Bounds3& grid,
                                                 std::size_t begin, std::size_t count, Packet& packet) {
-    const hn::RebindToUnsigned<LaneTag> du;
-    const auto set = [&](std::size_t value)
-                         HWY_ATTR { return hn::Set(du, static_cast<std::uint32_t>(value)); };
-    const auto places = [&](std::size_t lane) HWY_ATTR {
-        return hn::Add(hn::Min(hn::Add(hn::Iota(du, 0), set(lane)), set(count - 1)), set(begin));
-    };
-    return load_parallel(source, grid, count, places, packet);
+    return load_parallel(source, grid, count, places_from(begin, count), packet);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -298,7 +298,8 @@ private:
 
 template <Wanted wanted, class Store>
 TraceReport trace(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
-                  const ResumedRays& resumed, std::size_t begin, std::size_t end, const Store& store) {
+                  const ResumedRays& resumed, Unanswered left, std::size_t begin, std::size_t end,
+                  const Store& store) {
     TraceReport report{.rays = end - begin};
     Packet packet;
     Candidates candidates;
@@ -308,6 +309,7 @@ TraceReport trace(const GridScene& scene, const CellDigest& cells, const RayBatc
     streams.run(
         [&](std::uint32_t stream) {
             for (; i < end; ++i) {
+                if (!left.empty() && left[i] != undecided) continue;
                 const RayFrame ray = resumed.frame(rays, i);
                 const glm::vec3 origin = rays.origin_of(i);
                 const bool can_hit =
@@ -330,9 +332,9 @@ TraceReport trace(const GridScene& scene, const CellDigest& cells, const RayBatc
 }
 
 TraceReport closest_in_streams(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
-                               const ResumedRays& resumed, std::size_t begin, std::size_t end,
-                               HitBatch& hits) {
-    return trace<Wanted::closest>(scene, cells, rays, resumed, begin, end,
+                               const ResumedRays& resumed, Unanswered left, std::size_t begin,
+                               std::size_t end, HitBatch& hits) {
+    return trace<Wanted::closest>(scene, cells, rays, resumed, left, begin, end,
                                   [&](std::size_t i, const RayFrame& ray, const DepthHit& hit) {
                                       const bool missed = hit.triangle == no_triangle;
                                       hits.t[i] = missed ? std::numeric_limits<float>::infinity()
@@ -342,9 +344,9 @@ TraceReport closest_in_streams(const GridScene& scene, const CellDigest& cells, 
 }
 
 TraceReport any_in_streams(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
-                           const ResumedRays& resumed, std::size_t begin, std::size_t end,
+                           const ResumedRays& resumed, Unanswered left, std::size_t begin, std::size_t end,
                            OcclusionBatch& occluded) {
-    return trace<Wanted::any>(scene, cells, rays, resumed, begin, end,
+    return trace<Wanted::any>(scene, cells, rays, resumed, left, begin, end,
                               [&](std::size_t i, const RayFrame&, const DepthHit& hit) {
                                   occluded[i] = hit.triangle != no_triangle;
                               });
@@ -361,15 +363,15 @@ HWY_EXPORT(closest_in_streams);
 HWY_EXPORT(any_in_streams);
 
 TraceReport closest_in_streams(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
-                               const ResumedRays& resumed, std::size_t begin, std::size_t end,
-                               HitBatch& hits) {
-    return HWY_DYNAMIC_DISPATCH(closest_in_streams)(scene, cells, rays, resumed, begin, end, hits);
+                               const ResumedRays& resumed, Unanswered left, std::size_t begin,
+                               std::size_t end, HitBatch& hits) {
+    return HWY_DYNAMIC_DISPATCH(closest_in_streams)(scene, cells, rays, resumed, left, begin, end, hits);
 }
 
 TraceReport any_in_streams(const GridScene& scene, const CellDigest& cells, const RayBatch& rays,
-                           const ResumedRays& resumed, std::size_t begin, std::size_t end,
+                           const ResumedRays& resumed, Unanswered left, std::size_t begin, std::size_t end,
                            OcclusionBatch& occluded) {
-    return HWY_DYNAMIC_DISPATCH(any_in_streams)(scene, cells, rays, resumed, begin, end, occluded);
+    return HWY_DYNAMIC_DISPATCH(any_in_streams)(scene, cells, rays, resumed, left, begin, end, occluded);
 }
 
 }  // namespace gridreel::traversal

@@ -1,9 +1,12 @@
 #include "test_rays.h"
 
+#include "mirror_rays.h"
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gridreel::tests {
 namespace {
@@ -327,6 +330,7 @@ std::vector<NamedRays> nasty_batches(const Triangles& triangles, std::size_t cou
     batches.push_back({"through corners and edges", through_features(triangles, box, count)});
     batches.push_back({"bounded, scattered", bounded(box, count)});
     add_parallel_batches(triangles, box, count, batches);
+    for (NamedRays& mirror : mirror_batches(triangles, count)) batches.push_back(std::move(mirror));
     return batches;
 }
 

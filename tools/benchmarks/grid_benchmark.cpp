@@ -1,5 +1,5 @@
-// Rebuild and primary rays on a waving sheet, the tracers side by side: 1024 x 1024 rays, 1 and 2 threads.
-// Interleave them when the machine is noisy: --benchmark_enable_random_interleaving
+// Rebuild, primary rays and rays of a mirror below on a waving sheet, the tracers side by side: 1024 x 1024
+// rays, 1 and 2 threads. Interleave them when the machine is noisy: --benchmark_enable_random_interleaving
 // --benchmark_repetitions=5.
 
 #include "traversal/simd_target.h"
@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace {
@@ -72,6 +73,26 @@ traversal::RayBatch camera_rays() {
     return rays;
 }
 
+/// The camera's rays as they leave a mirror below the sheet.
+/// @param ripple  slope of the mirror's waves; 0: it is flat
+traversal::RayBatch mirror_rays(float ripple) {
+    constexpr float height = -0.4f;
+    const traversal::RayBatch seen = camera_rays();
+    traversal::RayBatch rays;
+    rays.resize(seen.size(), std::nullopt, traversal::RayOrder::coherent);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const glm::vec3 from = seen.origin_of(i), way = seen.direction_of(i);
+        const glm::vec3 at = from + way * ((height - from.z) / way.z);
+        const glm::vec3 normal =
+            glm::normalize(glm::vec3{ripple * std::sin(3.0f * at.x), ripple * std::sin(4.0f * at.y), 1.0f});
+        rays.set_origin(i, at);
+        rays.set_direction(i, way - 2.0f * glm::dot(way, normal) * normal);
+        rays.t_min[i] = 0.0f;
+        rays.t_max[i] = std::numeric_limits<float>::infinity();
+    }
+    return rays;
+}
+
 void rebuild_grid(benchmark::State& state) {
     const Sheet triangles = sheet(state.range(0));
     tbb::task_arena arena(static_cast<int>(state.range(1)));
@@ -84,9 +105,8 @@ void rebuild_grid(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(triangles.triangles.size()));
 }
 
-void primary_rays(benchmark::State& state, traversal::TracerKind kind) {
+void trace(benchmark::State& state, traversal::TracerKind kind, const traversal::RayBatch& rays) {
     const Sheet triangles = sheet(state.range(0));
-    const traversal::RayBatch rays = camera_rays();
     tbb::task_arena arena(static_cast<int>(state.range(1)));
     const auto tracer = traversal::make_tracer({.kind = kind, .resolution = {}});
     traversal::HitBatch hits;
@@ -100,6 +120,18 @@ void primary_rays(benchmark::State& state, traversal::TracerKind kind) {
     state.SetLabel(std::string(traversal::simd_target()));
 }
 
+void primary_rays(benchmark::State& state, traversal::TracerKind kind) {
+    trace(state, kind, camera_rays());
+}
+
+void flat_mirror(benchmark::State& state, traversal::TracerKind kind) {
+    trace(state, kind, mirror_rays(0.0f));
+}
+
+void rippled_mirror(benchmark::State& state, traversal::TracerKind kind) {
+    trace(state, kind, mirror_rays(0.1f));
+}
+
 void sizes(benchmark::internal::Benchmark* b) {
     b->ArgsProduct({{10'000, 80'000, 1'000'000}, {1, 2}})->ArgNames({"triangles", "threads"});
     b->UseRealTime()->Unit(benchmark::kMillisecond);
@@ -108,6 +140,10 @@ void sizes(benchmark::internal::Benchmark* b) {
 BENCHMARK(rebuild_grid)->Apply(sizes);
 BENCHMARK_CAPTURE(primary_rays, grid, traversal::TracerKind::grid)->Apply(sizes);
 BENCHMARK_CAPTURE(primary_rays, grid_single, traversal::TracerKind::grid_single)->Apply(sizes);
+BENCHMARK_CAPTURE(flat_mirror, grid, traversal::TracerKind::grid)->Apply(sizes);
+BENCHMARK_CAPTURE(flat_mirror, grid_single, traversal::TracerKind::grid_single)->Apply(sizes);
+BENCHMARK_CAPTURE(rippled_mirror, grid, traversal::TracerKind::grid)->Apply(sizes);
+BENCHMARK_CAPTURE(rippled_mirror, grid_single, traversal::TracerKind::grid_single)->Apply(sizes);
 
 }  // namespace
 
