@@ -85,11 +85,13 @@ void check_frame_size(const Scene& scene, const Clip& clip) {
     if (std::max(frame.vertices, frame.triangles) > most_items)
         refuse("the scene has more than 2^32 - 1 vertices or triangles");
 
-    const double most_bytes = 4096.0 * mebibyte + 1024.0 * double(scene.bytes_read);
+    double once = 0.0;
+    for (const Mesh& mesh : scene.meshes) once += bytes_of(size_of(mesh), 1.0);
+    const double most_bytes = 4096.0 * mebibyte + 4.0 * once;
     if (frame.bytes > most_bytes)
         refuse(
-            fmt::format("a frame has {:.0f} vertices and {:.0f} triangles, which take {:.0f} MiB; a file of "
-                        "this size may ask for {:.0f} MiB",
+            fmt::format("a frame has {:.0f} vertices and {:.0f} triangles, which take {:.0f} MiB; meshes of "
+                        "their size may ask for {:.0f} MiB",
                         frame.vertices, frame.triangles, frame.bytes / mebibyte, most_bytes / mebibyte));
 }
 

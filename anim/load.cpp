@@ -52,7 +52,6 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& 
     scene.animations = read_animations(document);
     scene.images = read_images(document);
     check_joints_exist(document, scene);
-    scene.bytes_read = document.budget().bytes_read();
     scene.warnings = std::move(document.warnings());
     return scene;
 }

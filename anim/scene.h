@@ -186,8 +186,7 @@ struct Warning {
 };
 
 struct Scene {
-    std::string name;            ///< the file's stem
-    std::size_t bytes_read = 0;  ///< of the file and the buffers and images beside it; 0: not from a file
+    std::string name;  ///< the file's stem
     std::vector<Node> nodes;
     std::vector<Mesh> meshes;
     std::vector<Skin> skins;

@@ -12,11 +12,7 @@ namespace gridreel::anim::gltf {
 /// more.
 class Budget {
 public:
-    void add_bytes_read(std::size_t bytes) {
-        bytes_read_ += bytes;
-        left_ += 128 * bytes;
-    }
-    [[nodiscard]] std::size_t bytes_read() const { return bytes_read_; }
+    void add_bytes_read(std::size_t bytes) { left_ += 128 * bytes; }
 
     /// To be called before memory is allocated.
     /// @throws Error at `place` when the file asks for more than it may
@@ -31,7 +27,6 @@ public:
     [[nodiscard]] std::size_t left() const { return left_; }
 
 private:
-    std::size_t bytes_read_ = 0;
     std::size_t left_ = std::size_t{512} << 20;
 };
 

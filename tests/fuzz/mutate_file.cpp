@@ -50,7 +50,7 @@ void mutate_binary(Parts& parts, const MutateBytes& mutate) {
 std::size_t mutate_file(std::span<std::byte> room, std::size_t used, unsigned seed,
                         const MutateBytes& mutate) {
     std::mt19937 random(seed);
-    const unsigned way = random() % 8;
+    const auto way = random() % 8;
     auto parts = way == 0 ? std::nullopt : take_apart(room.first(used));
     if (!parts || !parts->json.is_object()) return mutate(room, used);
 

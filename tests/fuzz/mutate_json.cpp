@@ -51,7 +51,7 @@ json copy_of_any(const std::vector<json*>& values, std::mt19937& random) {
 }
 
 void change_items(json& container, const std::vector<json*>& values, std::mt19937& random) {
-    const unsigned way = random() % 4;
+    const auto way = random() % 4;
     if (container.is_array()) {
         const std::size_t place = container.empty() ? 0 : random() % container.size();
         if (way == 0 && !container.empty())
@@ -99,8 +99,8 @@ void mutate_once(json& root, std::mt19937& random) {
 }  // namespace
 
 void mutate_json(json& document, std::mt19937& random) {
-    const unsigned changes = 1 + random() % 3;
-    for (unsigned i = 0; i < changes; ++i) mutate_once(document, random);
+    const auto changes = 1 + random() % 3;
+    for (std::size_t i = 0; i < changes; ++i) mutate_once(document, random);
 }
 
 }  // namespace gridreel::test

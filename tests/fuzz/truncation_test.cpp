@@ -41,7 +41,7 @@ TEST_CASE("small assets cut at every 64th byte load or are refused", "[fuzz][tru
         return;
     }
     // Larger ones take minutes, and hold nothing that these do not.
-    constexpr std::uintmax_t largest = 24 << 10;
+    constexpr std::uintmax_t largest = 96 << 10;
     const test::TemporaryFolder empty;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(assets)) {
         const auto extension = entry.path().extension();
