@@ -8,7 +8,7 @@
 namespace gridreel::anim::gltf {
 
 /// A small file can describe a huge scene: accessors of zeros, many primitives sharing one accessor, many
-/// images sharing one buffer view. What is decoded may reach 512 MiB plus 128 times the bytes read, and no
+/// images sharing one buffer view, objects that are empty. What is decoded may reach 512 MiB plus 128 times the bytes read, and no
 /// more.
 class Budget {
 public:
