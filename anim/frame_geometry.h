@@ -63,7 +63,7 @@ struct FrameGeometry {
     [[nodiscard]] std::size_t moving_triangles() const;
 };
 
-/// Lays out the buffers for a clip: topology, texture coordinates, colours. Positions come with `deform`.
+/// The buffers for a clip; positions come with `deform`. Throws Error for too much memory (frame_size.h).
 [[nodiscard]] FrameGeometry lay_out(const Scene& scene, const Clip& clip);
 
 /// Lists the triangles of all parts that `is_shown` for (one flag per part), in the order of parts.

@@ -1,10 +1,9 @@
-#include "anim/error.h"
 #include "anim/frame_geometry.h"
+#include "anim/frame_size.h"
 #include "anim/motion.h"
 #include "anim/visibility.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace gridreel::anim {
@@ -53,14 +52,7 @@ private:
             part.moves = moves(scene_, motion_, node, primitives[i]);
             part.blinks = shown_[node] == Shown::sometimes;
             vertices_ += part.vertex_count;
-            triangles_ += primitives[i].triangles.size();
             parts_.push_back(part);
-
-            constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
-            if (vertices_ > most || triangles_ > most) {
-                throw Error("the scene has more than 2^32 - 1 vertices or triangles", scene_.name,
-                            "split it, or use a simpler mesh for its instances");
-            }
         }
     }
 
@@ -68,7 +60,7 @@ private:
     Motion motion_;
     std::vector<Shown> shown_;
     std::vector<Part> parts_;
-    std::size_t vertices_ = 0, triangles_ = 0;
+    std::size_t vertices_ = 0;
 };
 
 /// What no pose changes: texture coordinates and colours.
@@ -138,6 +130,7 @@ void list_triangles(const Scene& scene, const std::vector<bool>& is_shown, Frame
 }
 
 FrameGeometry lay_out(const Scene& scene, const Clip& clip) {
+    check_frame_size(scene, clip);
     FrameGeometry geometry;
     geometry.parts = std::move(PartList(scene, clip).parts());
     geometry.mirrored.resize(geometry.parts.size());

@@ -50,6 +50,7 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& 
     warn_of_undrawn_looks(document, scene.materials);
     scene.name = file.stem().string();
     scene.meshes = read_meshes(document);
+    pay_for_morph_weights(document, scene);
     warn_of_missing_texcoords(document, scene);
     scene.animations = read_animations(document);
     scene.images = read_images(document);

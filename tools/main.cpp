@@ -14,11 +14,23 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <string>
+#include <string_view>
+#include <system_error>
 
 namespace {
 
 using namespace gridreel;
 using namespace gridreel::tools;
+
+constexpr std::string_view out_of_memory =
+    "out of memory; render at a smaller --size or on fewer threads, or simplify the scene: gridreel info "
+    "says "
+    "how much it takes";
+
+std::string defect_text(const std::exception& error) {
+    return fmt::format("a defect in gridreel: {}", error.what());
+}
 
 /// Runs `work`; every exception of the program ends here.
 template <class Work>
@@ -37,9 +49,14 @@ ExitCode with_exit_code(const ConsoleOptions& options, Work work) {
     } catch (const Error& error) {
         return fail(error.what(), ExitCode::scene);
     } catch (const std::bad_alloc&) {
-        return fail("out of memory; try a smaller --size", ExitCode::defect);
+        return fail(out_of_memory, ExitCode::defect);
+    } catch (const std::system_error& error) {
+        // Threads that cannot start, in most cases for want of memory for their stacks.
+        const bool exhausted = error.code() == std::errc::resource_unavailable_try_again ||
+                               error.code() == std::errc::not_enough_memory;
+        return fail(exhausted ? std::string(out_of_memory) : defect_text(error), ExitCode::defect);
     } catch (const std::exception& error) {
-        return fail(fmt::format("a defect in gridreel: {}", error.what()), ExitCode::defect);
+        return fail(defect_text(error), ExitCode::defect);
     }
 }
 

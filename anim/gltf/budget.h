@@ -8,8 +8,8 @@
 namespace gridreel::anim::gltf {
 
 /// A small file can describe a huge scene: accessors of zeros, many primitives sharing one accessor, many
-/// images sharing one buffer view. What is decoded may reach 512 MiB plus 128 times the bytes read, and no
-/// more.
+/// images sharing one buffer view, objects that are empty. What is decoded may reach 512 MiB plus 128 times
+/// the bytes read, and no more.
 class Budget {
 public:
     void add_bytes_read(std::size_t bytes) { left_ += 128 * bytes; }

@@ -184,4 +184,14 @@ std::vector<Mesh> read_meshes(Document& document) {
     return meshes;
 }
 
+void pay_for_morph_weights(Document& document, const Scene& scene) {
+    constexpr std::size_t poses = 4;  // at rest, at the time, and of frames that are rendered meanwhile
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const auto mesh = scene.nodes[i].mesh;
+        if (!mesh || scene.meshes[*mesh].weights.empty()) continue;
+        document.budget().spend(scene.meshes[*mesh].weights.size() * poses * sizeof(float),
+                                document.root().at("nodes", i));
+    }
+}
+
 }  // namespace gridreel::anim::gltf

@@ -14,4 +14,10 @@ namespace gridreel::anim::gltf {
 /// @throws Error for indices beyond the vertices, restart values, positions that are not finite
 [[nodiscard]] std::vector<Mesh> read_meshes(Document& document);
 
+/// Charges the budget for the morph weights of poses, in which every node has a list of its own: many nodes
+/// may share a mesh of many targets, and neither takes more than a few bytes of the file.
+///
+/// @throws Error at the node where it is spent
+void pay_for_morph_weights(Document& document, const Scene& scene);
+
 }  // namespace gridreel::anim::gltf

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace gridreel::anim::gltf {
@@ -48,16 +49,17 @@ std::vector<std::optional<std::size_t>> check_tree(const Place& root) {
 }
 
 void check_scenes(const Place& root, const std::vector<std::optional<std::size_t>>& parents) {
+    // One list for all scenes, as there may be as many of them as nodes.
+    std::vector<std::optional<std::size_t>> listed_in(parents.size());
     for (std::size_t scene = 0; scene < count_of(root, "scenes"); ++scene) {
         const auto nodes = root.at("scenes", scene).find("nodes");
-        std::vector<bool> listed(parents.size(), false);
         for (std::size_t i = 0; nodes && i < nodes->size(); ++i) {
             const std::size_t node = (*nodes)[i].index();
             if (parents[node])
                 (*nodes)[i].refuse(
                     fmt::format("node {} is not a root: it is a child of node {}", node, *parents[node]));
-            if (listed[node]) (*nodes)[i].refuse(fmt::format("node {} is listed twice", node));
-            listed[node] = true;
+            if (listed_in[node] == scene) (*nodes)[i].refuse(fmt::format("node {} is listed twice", node));
+            listed_in[node] = scene;
         }
     }
 }
@@ -73,7 +75,19 @@ void check_transform(const Place& node) {
     if (is_zero) rotation->refuse("the rotation is a quaternion of length zero");
 }
 
-void check_mesh_of(const Place& node, const Place& root) {
+/// For each mesh, its first primitive that no skin can move, if there is one.
+std::vector<std::optional<std::size_t>> find_unskinned(const Place& root) {
+    std::vector<std::optional<std::size_t>> unskinned(count_of(root, "meshes"));
+    for (std::size_t mesh = 0; mesh < unskinned.size(); ++mesh) {
+        const Place primitives = root.at("meshes", mesh).at("primitives");
+        for (std::size_t i = 0; i < primitives.size() && !unskinned[mesh]; ++i)
+            if (!primitives[i].at("attributes").has("JOINTS_0")) unskinned[mesh] = i;
+    }
+    return unskinned;
+}
+
+void check_mesh_of(const Place& node, const Place& root,
+                   std::span<const std::optional<std::size_t>> unskinned) {
     const auto mesh = node.find_index("mesh");
     const auto weights = node.find("weights");
     if (weights && weights->size() > 0) {
@@ -89,10 +103,8 @@ void check_mesh_of(const Place& node, const Place& root) {
     const auto skin = node.find("skin");
     if (!skin) return;
     if (!mesh) skin->refuse("the node has a skin but no mesh");
-    const Place primitives = root.at("meshes", *mesh).at("primitives");
-    for (std::size_t i = 0; i < primitives.size(); ++i)
-        if (!primitives[i].at("attributes").has("JOINTS_0"))
-            skin->refuse(fmt::format("primitive {} of mesh {} has no JOINTS_0 for the skin", i, *mesh));
+    if (const auto primitive = unskinned[*mesh])
+        skin->refuse(fmt::format("primitive {} of mesh {} has no JOINTS_0 for the skin", *primitive, *mesh));
 }
 
 void check_skin(const Place& skin, std::span<const Accessor> accessors) {
@@ -113,10 +125,11 @@ void check_skin(const Place& skin, std::span<const Accessor> accessors) {
 void validate_nodes(const Place& root, std::span<const Accessor> accessors) {
     const auto parents = check_tree(root);
     check_scenes(root, parents);
+    const auto unskinned = find_unskinned(root);
     for (std::size_t i = 0; i < count_of(root, "nodes"); ++i) {
         const Place node = root.at("nodes", i);
         check_transform(node);
-        check_mesh_of(node, root);
+        check_mesh_of(node, root, unskinned);
     }
     for (std::size_t i = 0; i < count_of(root, "skins"); ++i) check_skin(root.at("skins", i), accessors);
 }

@@ -64,6 +64,17 @@ void check_text(const Place& place, const Property& rule) {
     }
 }
 
+void check_index_map(const Place& place, const Property& rule, const Place& root) {
+    if (!is_object(place)) place.refuse("this must be an object");
+    const auto& entries = std::get<Json::Object>(place.json().value);
+    // Names are looked up one after another, and no vertex has a tenth as many attributes.
+    constexpr std::size_t most_entries = 1024;
+    if (entries.size() > most_entries)
+        place.refuse(fmt::format("\"{}\" has {} entries; at most {} are read", rule.name, entries.size(),
+                                 most_entries));
+    for (const auto& [name, value] : entries) check_index(place.at(name), rule.into, root);
+}
+
 void check_object(const Place& place, const Shape& shape, const Place& root);
 
 void check_value(const Place& place, const Property& rule, const Place& root) {
@@ -84,9 +95,7 @@ void check_value(const Place& place, const Property& rule, const Place& root) {
             check_index(place, rule.into, root);
             break;
         case Kind::index_map:
-            if (!is_object(place)) place.refuse("this must be an object");
-            for (const auto& [name, value] : std::get<Json::Object>(place.json().value))
-                check_index(place.at(name), rule.into, root);
+            check_index_map(place, rule, root);
             break;
         case Kind::object:
             check_object(place, *rule.shape, root);

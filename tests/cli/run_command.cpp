@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <pty.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,6 +52,10 @@ std::string read_terminal(int terminal) {
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);
     if (chdir(setting.folder.c_str()) != 0) _exit(126);
+    if (setting.most_memory > 0) {
+        const rlimit limit{.rlim_cur = setting.most_memory, .rlim_max = setting.most_memory};
+        if (setrlimit(RLIMIT_AS, &limit) != 0) _exit(126);
+    }
     // Whoever runs the tests may ignore Ctrl-C or want no colours.
     std::signal(SIGINT, SIG_DFL);
     unsetenv("NO_COLOR");

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -21,6 +22,7 @@ struct Setting {
     std::filesystem::path folder;                  ///< current folder
     std::function<void(int process)> meanwhile{};  ///< called once it has started
     std::vector<std::string> variables{};          ///< of the environment, `NAME=value`
+    std::size_t most_memory = 0;                   ///< bytes of address space; 0: as many as it wants
     bool terminal = false;                         ///< stderr is a terminal of 100 columns
     std::filesystem::path out_file{};              ///< where stdout goes instead of `Outcome::out`
     std::filesystem::path err_file{};              ///< where stderr goes instead of `Outcome::err`
