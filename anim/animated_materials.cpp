@@ -44,10 +44,7 @@ void set_ior(Material& material, const float* value) {
 }
 
 /// What `member` is in a material.
-#define GRIDREEL_OF(member)            \
-    [](Material & material) -> auto& { \
-        return material.member;        \
-    }
+#define GRIDREEL_OF(member) ([](Material & material) -> auto& { return material.member; })
 
 std::vector<Property> factors() {
     return {

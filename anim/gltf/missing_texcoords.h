@@ -6,8 +6,8 @@
 
 namespace gridreel::anim::gltf {
 
-/// Warns once of primitives whose material, in the file or in one of its variants, has a drawn texture on a set
-/// of texture coordinates that they lack: at the first mesh that has one, with the number of primitives.
+/// Warns once of primitives whose material, in the file or in one of its variants, has a drawn texture on a
+/// set of texture coordinates that they lack: at the first mesh that has one, with the number of primitives.
 /// Zeros stand in for the coordinates, so that such a texture shows one colour everywhere.
 void warn_of_missing_texcoords(Document& document, const Scene& scene);
 

@@ -28,7 +28,10 @@ Image read_image(Document& document, const Place& place, std::size_t number) {
 
     if (image.name.empty()) image.name = fmt::format("image {}", number);
     if (image.encoded.empty())
-        document.warn(place, fmt::format("the image \"{}\" is left out: {}", image.name, problem));
+        document.warn(
+            place,
+            fmt::format("the image \"{}\" is left out: {}; put it beside the model, or below its folder",
+                        image.name, problem));
     return image;
 }
 
