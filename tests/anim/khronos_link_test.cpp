@@ -152,7 +152,7 @@ TEST_CASE("meshes, nodes and skins that do not fit together meet the verdict of 
          [](File& f) { primitive(f)["targets"][0]["TANGENT"] = 0; }},
         {"MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS", tolerated, "", "bounds are found from the values",
          [](File& f) { f.json["accessors"][0].erase("max"); }},
-        {"MESH_PRIMITIVE_TOO_FEW_TEXCOORDS", tolerated, "", "coordinates that are not there are zero",
+        {"MESH_PRIMITIVE_TOO_FEW_TEXCOORDS", warned, "/meshes/0", "without the texture coordinates",
          [](File& f) { attributes(f).erase("TEXCOORD_0"); }},
         {"MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT", refused, "/meshes/0/primitives/0/attributes/NORMAL",
          "NORMAL has 4 elements",
