@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace gridreel::anim {
@@ -19,14 +20,27 @@ bool same_turn(const Sampler& sampler, double time_s, double other_time_s) {
     return glm::dot(apart, apart) <= rounding * rounding;
 }
 
+/// From the least to the greatest key of one number; tangents are no keys.
+double way_of(const Sampler& sampler, std::size_t number) {
+    const bool is_cubic = sampler.interpolation == Interpolation::cubic_spline;
+    const std::size_t first = (is_cubic ? sampler.width : 0) + number;
+    const std::size_t step = (is_cubic ? 3 : 1) * std::size_t{sampler.width};
+    float least = sampler.values[first], greatest = least;
+    for (std::size_t i = first; i < sampler.values.size(); i += step) {
+        least = std::min(least, sampler.values[i]);
+        greatest = std::max(greatest, sampler.values[i]);
+    }
+    return double(greatest) - double(least);
+}
+
 bool same_numbers(const Sampler& sampler, double time_s, double other_time_s) {
     std::vector<float> a(sampler.width), b(sampler.width);
     sample_numbers(sampler, time_s, a);
     sample_numbers(sampler, other_time_s, b);
-    double largest = 0.0;
-    for (const float value : sampler.values) largest = std::max(largest, std::abs(double(value)));
     for (std::size_t i = 0; i < a.size(); ++i) {
-        if (std::abs(double(a[i]) - double(b[i])) > rounding * largest) return false;
+        const double apart = std::abs(double(a[i]) - double(b[i]));
+        const double own = 4.0 * double(std::numeric_limits<float>::epsilon()) * std::abs(double(a[i]));
+        if (apart > rounding * way_of(sampler, i) + own) return false;
     }
     return true;
 }

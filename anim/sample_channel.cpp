@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <limits>
 
 namespace gridreel::anim {
 namespace {
@@ -82,7 +83,9 @@ void sample_numbers(const Sampler& sampler, double time_s, std::span<float> valu
     assert(sampler.width == values.size());
     const Place at = find_place(sampler, time_s);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = static_cast<float>(interpolate(sampler, at, i));
+        // Splines swing past their keys, and so past what a float holds.
+        constexpr double most = double(std::numeric_limits<float>::max());
+        values[i] = static_cast<float>(std::clamp(interpolate(sampler, at, i), -most, most));
     }
 }
 

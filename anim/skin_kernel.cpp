@@ -19,6 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, SkinBlock::padding>;
 using Lanes = hn::Vec<Tag>;
 using RowTag = hn::CappedTag<float, 4>;
+static_assert(hn::MaxLanes(RowTag()) == 4, "a row of a map is loaded at once");
 
 struct LaneVector {
     Lanes x, y, z;

@@ -30,7 +30,7 @@ float cone_factor(const PosedLight& light, const glm::vec3& to_light) {
 
 std::optional<PosedLight> posed_light(const anim::Light& light, const glm::dmat4& world) {
     PosedLight posed{.kind = light.kind,
-                     .intensity = light.color * light.intensity,
+                     .intensity = glm::min(light.color * light.intensity, std::numeric_limits<float>::max()),
                      .position = glm::vec3(world[3]),
                      .range_m = light.range_m};
     if (light.kind != anim::Light::Kind::point) {

@@ -43,7 +43,7 @@ std::optional<Numbered> split_number(std::string_view text) {
 }
 
 /// The array that the prefix names, without its slashes at both ends.
-std::size_t count_of(const Place& root, std::string_view prefix) {
+std::optional<Place> array_of(const Place& root, std::string_view prefix) {
     std::optional<Place> place = root;
     std::string_view rest = prefix.substr(1);
     while (place && !rest.empty()) {
@@ -51,7 +51,12 @@ std::size_t count_of(const Place& root, std::string_view prefix) {
         place = place->find(rest.substr(0, slash));
         rest = rest.substr(slash + 1);
     }
-    return place ? place->size() : 0;
+    return place;
+}
+
+std::size_t count_of(const Place& root, std::string_view prefix) {
+    const auto array = array_of(root, prefix);
+    return array ? array->size() : 0;
 }
 
 /// How many morph targets a mesh has.
@@ -158,6 +163,15 @@ std::optional<ChannelTarget> find_property(const Numbered& pointed, ChannelPath 
     }
 }
 
+/// Whether a camera or light is of the kind that the property belongs to: "perspective/znear" is nothing of
+/// an orthographic one, whose own near plane it must not move.
+bool is_of_its_kind(const Family& family, const Numbered& pointed, const Place& root) {
+    const auto slash = pointed.property.find('/');
+    if (family.path == ChannelPath::material || slash == pointed.property.npos) return true;
+    const Place object = (*array_of(root, family.prefix))[pointed.number];
+    return object.text_or("type", "") == pointed.property.substr(0, slash);
+}
+
 /// The object's number and what is pointed at in it, when the pointer begins with `prefix`.
 std::optional<Numbered> match(const Place& pointer, std::string_view prefix, const Place& root) {
     const std::string_view text = pointer.text();
@@ -181,7 +195,7 @@ ResolvedTarget resolve_pointer(const Place& pointer, const Place& target, const 
         found = pointed_mesh_target(*pointed, target, root);
     for (const Family& family : families)
         if (const auto pointed = match(pointer, family.prefix, root))
-            found = find_property(*pointed, family.path);
+            if (is_of_its_kind(family, *pointed, root)) found = find_property(*pointed, family.path);
     if (!found) return {.target = {}, .ignored = text};
     found->by_pointer = true;
     return {.target = found, .ignored = {}};

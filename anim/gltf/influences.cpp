@@ -12,15 +12,16 @@ constexpr std::uint32_t joints_per_set = 4;
 
 /// Makes the weights of one vertex sum to 1 and clears the joints that have none.
 void normalise(std::span<std::uint16_t> joints, std::span<float> weights) {
-    float sum = 0.0f;
-    for (const float weight : weights) sum += weight;
-    if (!(sum > 0.0f)) {
-        weights[0] = sum = 1.0f;
+    double sum = 0.0;
+    for (const float weight : weights) sum += double(weight);
+    if (!(sum > 0.0)) {
+        weights[0] = 1.0f;
+        sum = 1.0;
         joints[0] = 0;
     }
     for (std::size_t i = 0; i < weights.size(); ++i) {
         if (weights[i] == 0.0f) joints[i] = 0;
-        weights[i] /= sum;
+        weights[i] = static_cast<float>(double(weights[i]) / sum);
     }
 }
 

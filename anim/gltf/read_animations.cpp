@@ -72,6 +72,7 @@ struct Channels {
     std::map<std::size_t, Index> kept;  ///< the file's sampler -> ours
     std::set<std::tuple<bool, ChannelPath, Index, Index>> driven;
     std::vector<Channel> of_meshes;  ///< one for each node that takes its weights from a mesh
+    std::map<Index, std::vector<Index>> weighted_by;  ///< a mesh -> those nodes
     std::set<std::string> ignored, repeated, blended_flags;
 };
 
@@ -81,7 +82,9 @@ std::vector<Index> nodes_weighted_by(Document& document, Index mesh) {
     const auto places = document.all("nodes");
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Place& node = places[i];
-        if (node.find_index("mesh") == mesh && !node.find("weights")) nodes.push_back(static_cast<Index>(i));
+        const auto weights = node.find("weights");
+        const bool has_own = weights && weights->size() > 0;
+        if (node.find_index("mesh") == mesh && !has_own) nodes.push_back(static_cast<Index>(i));
     }
     return nodes;
 }
@@ -103,7 +106,10 @@ void read_channel(Document& document, const Place& channel, const Place& sampler
     const Channel driving{
         .object = target.object, .path = target.path, .property = target.property, .sampler = entry->second};
     if (target.of_mesh) {
-        for (const Index node : nodes_weighted_by(document, target.object)) {
+        auto [nodes, is_first] = channels.weighted_by.try_emplace(target.object);
+        if (is_first) nodes->second = nodes_weighted_by(document, target.object);
+        document.budget().spend(2 * nodes->second.size() * sizeof(Channel), place);
+        for (const Index node : nodes->second) {
             channels.of_meshes.push_back(driving);
             channels.of_meshes.back().object = node;
         }

@@ -35,7 +35,7 @@ struct DracoSettings {
 [[nodiscard]] PlainMesh bumpy_sheet(std::uint32_t seed, std::uint32_t cells);
 
 /// A Draco stream; its attributes' identifiers are 0 and up in the order of `PlainMesh`, absent ones skipped.
-[[nodiscard]] std::vector<std::byte> encode_draco(const PlainMesh& mesh, const DracoSettings& settings);
+[[nodiscard]] std::vector<std::byte> encode_draco(const PlainMesh& plain, const DracoSettings& settings);
 
 /// A file with that stream as buffer view 0, and accessors without buffer views.
 [[nodiscard]] GltfBuilder draco_file(const PlainMesh& mesh, const std::vector<std::byte>& stream);

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -220,6 +221,41 @@ TEST_CASE("pointers to what is not supported are named in a warning and play not
         CHECK(scene.animations[0].channels.empty());
         CHECK_THAT(test::warning_at(scene, "/animations/0"), Contains(pointer));
     }
+}
+
+TEST_CASE("pointers to another kind of camera or light play nothing", "[load][pointer]") {
+    for (const std::string pointer : {"/cameras/1/perspective/znear", "/cameras/0/orthographic/zfar"}) {
+        CAPTURE(pointer);
+        const auto scene = pointing(pointer, {50, 50}, "SCALAR").load();
+        CHECK(scene.animations[0].channels.empty());
+        CHECK_THAT(test::warning_at(scene, "/animations/0"), Contains(pointer));
+    }
+    auto file = pointing("/extensions/KHR_lights_punctual/lights/0/spot/outerConeAngle", {1, 1}, "SCALAR");
+    file.json["extensions"]["KHR_lights_punctual"]["lights"][0] = {{"type", "point"}};
+    CHECK(file.load().animations[0].channels.empty());
+}
+
+TEST_CASE("an empty list of weights is none of the node's own", "[load][pointer]") {
+    auto file = pointing("/meshes/0/weights", {0, 0, 1, 3}, "SCALAR");
+    file.json["nodes"][0]["weights"] = json::array();
+    CHECK(posed(file, 1.0).weights[0] == std::vector<float>{0.5f, 1.5f});
+}
+
+TEST_CASE("channels of a mesh's weights for very many nodes are refused before memory is",
+          "[load][pointer]") {
+    auto file = pointing("/meshes/0/weights", {0, 0, 1, 3}, "SCALAR");
+    const json channel = file.json["animations"][0]["channels"][0];
+    for (int i = 0; i < 6000; ++i) {
+        file.json["nodes"].push_back({{"mesh", 0}});
+        file.json["animations"][0]["channels"].push_back(channel);
+    }
+    CHECK_THAT(test::refusal_of(file).message, Contains("more memory than a file of this size"));
+}
+
+TEST_CASE("a spline that swings past what a float holds stays a number", "[load][pointer]") {
+    auto file = pointing("/materials/0/emissiveFactor", std::vector<float>(18, 3e38f), "VEC3");
+    file.json["animations"][0]["samplers"][0]["interpolation"] = "CUBICSPLINE";
+    CHECK(posed(file, 0.5).materials[0].emissive.x == std::numeric_limits<float>::max());
 }
 
 TEST_CASE("pointers that lead nowhere are refused", "[load][pointer]") {

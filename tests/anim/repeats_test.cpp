@@ -27,6 +27,17 @@ TEST_CASE("a property that comes back is the same at both ends", "[anim]") {
     CHECK_FALSE(is_loop(ChannelPath::translation, 3, {0, 0, 0, 1e-6f, 0, 0, 2e-6f, 0, 0}));
 }
 
+TEST_CASE("each number is held against its own keys", "[anim]") {
+    CHECK_FALSE(is_loop(ChannelPath::translation, 3, {10000, 0, 0, 10000, 1, 0, 10000, 0.09f, 0}));
+    CHECK(is_loop(ChannelPath::translation, 3, {10000, 0, 0, 10000, 1, 0, 10000.001f, 0, 0}));
+}
+
+TEST_CASE("tangents of splines are no keys", "[anim]") {
+    const auto spline = [](float last) { return std::vector<float>{0, 0, 1000, 0, 0, 0, 1000, last, 0}; };
+    CHECK(is_loop(ChannelPath::weights, 1, spline(0), Interpolation::cubic_spline));
+    CHECK_FALSE(is_loop(ChannelPath::weights, 1, spline(0.005f), Interpolation::cubic_spline));
+}
+
 TEST_CASE("a turn and its negative quaternion are the same", "[anim]") {
     CHECK(is_loop(ChannelPath::rotation, 4, {0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, -1}));
     CHECK_FALSE(is_loop(ChannelPath::rotation, 4, {0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 1, 0}));

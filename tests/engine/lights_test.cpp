@@ -86,6 +86,14 @@ TEST_CASE("a spot light whose cones coincide is on inside and off outside", "[en
     CHECK(engine::arrival_at(light, {std::sin(0.51f), 0.0f, -std::cos(0.51f)}).irradiance.x == 0.0f);
 }
 
+TEST_CASE("a light brighter than a float holds stays a number, also where it does not shine", "[engine]") {
+    anim::Light spot = light_of(anim::Light::Kind::spot);
+    spot.color = glm::vec3(3e38f, 0.0f, 1.0f);
+    spot.intensity = 10.0f;
+    const PosedLight light = *engine::posed_light(spot, glm::dmat4(1.0));
+    CHECK(engine::arrival_at(light, {0.0f, 0.0f, 1.0f}).irradiance == glm::vec3(0.0f));
+}
+
 TEST_CASE("a light gives nothing at its own place, and a flattened one does not shine", "[engine]") {
     const PosedLight light = *engine::posed_light(light_of(anim::Light::Kind::point), glm::dmat4(1.0));
     CHECK(engine::arrival_at(light, {0.0f, 0.0f, 0.0f}).irradiance == glm::vec3(0.0f));
