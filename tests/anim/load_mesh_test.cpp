@@ -147,6 +147,14 @@ TEST_CASE("morph targets are read, with the mesh's default weights", "[load]") {
     }
 }
 
+TEST_CASE("skin weights whose sum no float holds are divided by it all the same", "[load]") {
+    auto file = test::skinned_triangle();
+    auto& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+    attributes["WEIGHTS_0"] = file.add_vec4s({3e38f, 3e38f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+    const auto weights = file.load().meshes[0].primitives[0].influences.weights;
+    CHECK(std::vector<float>(weights.begin(), weights.begin() + 2) == std::vector<float>{0.5f, 0.5f});
+}
+
 TEST_CASE("skin weights are divided by their sum", "[load]") {
     auto file = test::skinned_triangle();
     auto& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
