@@ -29,8 +29,10 @@
 #include <sys/mman.h>
 
 /// TBB keeps what it made for an observer until its worker threads end, which is after leaks are looked for.
-extern "C" const char* __lsan_default_suppressions();   // NOLINT(bugprone-reserved-identifier)
-extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)
+extern "C" const char*
+__lsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier,readability-identifier-naming)
+extern "C" const char*
+__lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier,readability-identifier-naming)
     return "leak:tbb::detail::r1::observe";
 }
 

@@ -111,8 +111,8 @@ TEST_CASE("rays that go on behind what they hit meet every triangle once, neares
     const bool in_one_plane = GENERATE(false, true);
     Triangles triangles = in_one_plane ? coplanar(60) : soup(150, 0.4f);
     const std::vector<glm::uvec3> once = triangles.triangles;
-    for (const glm::uvec3& t : once) triangles.triangles.push_back({t.x, t.z, t.y});
-    for (const glm::uvec3& t : once) triangles.triangles.push_back({t.y, t.z, t.x});
+    for (const glm::uvec3& t : once) triangles.triangles.emplace_back(t.x, t.z, t.y);
+    for (const glm::uvec3& t : once) triangles.triangles.emplace_back(t.y, t.z, t.x);
     const std::size_t count = triangles.triangles.size();
 
     for (const TracerKind kind : {TracerKind::naive, TracerKind::grid, TracerKind::grid_single}) {
