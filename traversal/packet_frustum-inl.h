@@ -145,8 +145,8 @@ HWY_INLINE FrustumOf<bundle> frustum_of(const Packet& packet, BlockMask active) 
 /// @param depth  where loose rays are divided
 template <Bundle bundle>
 BlockMask lower_half(const Packet& packet, BlockMask active, const FrustumOf<bundle>& frustum, double depth) {
-    bool by_u;
-    float middle, way = 0.0f;
+    bool by_u = false;
+    float middle = 0.0f, way = 0.0f;
     if constexpr (bundle == Bundle::loose) {
         const Interval u = frustum.u.between(depth, depth), v = frustum.v.between(depth, depth);
         by_u = u.high - u.low > v.high - v.low;
