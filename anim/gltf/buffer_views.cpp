@@ -18,10 +18,8 @@ constexpr std::array<std::string_view, 2> extension_names{"EXT_meshopt_compressi
 
 /// What either extension says about a buffer or a view.
 std::optional<Place> find_meshopt(const Place& place) {
-    const auto extensions = place.find("extensions");
-    if (!extensions) return {};
     for (const auto name : extension_names)
-        if (const auto found = extensions->find(name)) return found;
+        if (const auto found = place.find_extension(name)) return found;
     return {};
 }
 

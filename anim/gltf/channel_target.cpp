@@ -206,9 +206,7 @@ ResolvedTarget resolve_pointer(const Place& pointer, const Place& target, const 
 ResolvedTarget resolve_target(const Place& target, const Place& root) {
     const std::string& path = target.at("path").text();
     if (path == "pointer") {
-        const auto extensions = target.find("extensions");
-        const auto extension =
-            extensions ? extensions->find("KHR_animation_pointer") : std::optional<Place>{};
+        const auto extension = target.find_extension("KHR_animation_pointer");
         if (extension) return resolve_pointer(extension->at("pointer"), target, root);
     }
 

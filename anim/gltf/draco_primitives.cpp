@@ -106,8 +106,7 @@ void rewrite(Document& document, Json& json, const Place& primitive, const Draco
 }
 
 void decompress(Document& document, Json& json, const Place& primitive) {
-    const auto extensions = primitive.find("extensions");
-    const auto draco = extensions ? extensions->find("KHR_draco_mesh_compression") : std::optional<Place>{};
+    const auto draco = primitive.find_extension("KHR_draco_mesh_compression");
     if (!draco) return;
 
     const DracoRequest request = request_of(document, primitive, *draco);

@@ -47,8 +47,7 @@ void check_rotations(const Sampler& sampler, const Place& place) {
 
 /// What the file calls the target.
 std::string target_name(const Place& target) {
-    const auto extensions = target.find("extensions");
-    const auto pointer = extensions ? extensions->find("KHR_animation_pointer") : std::optional<Place>{};
+    const auto pointer = target.find_extension("KHR_animation_pointer");
     if (pointer) return pointer->at("pointer").text();
     return fmt::format("/nodes/{}/{}", target.at("node").index(), target.at("path").text());
 }

@@ -52,13 +52,11 @@ std::vector<Trs> read_instances(Document& document, const Place& extension) {
 void read_node_extensions(Document& document, Scene& scene) {
     const auto places = document.all("nodes");
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const auto extensions = places[i].find("extensions");
-        if (!extensions) continue;
         Node& node = scene.nodes[i];
-        if (const auto visibility = extensions->find("KHR_node_visibility"))
+        if (const auto visibility = places[i].find_extension("KHR_node_visibility"))
             node.visible = visibility->boolean_or("visible", true);
 
-        const auto instancing = extensions->find("EXT_mesh_gpu_instancing");
+        const auto instancing = places[i].find_extension("EXT_mesh_gpu_instancing");
         if (!instancing) continue;
         if (!node.mesh)
             document.warn(*instancing, "the node has instances but no mesh; nothing is drawn");

@@ -37,9 +37,7 @@ void check_attributes(const Place& attributes, std::span<const Accessor> accesso
 void validate_instances(const Place& root, std::span<const Accessor> accessors) {
     const auto nodes = root.find("nodes");
     for (std::size_t i = 0; nodes && i < nodes->size(); ++i) {
-        const auto extensions = (*nodes)[i].find("extensions");
-        const auto instancing =
-            extensions ? extensions->find("EXT_mesh_gpu_instancing") : std::optional<Place>{};
+        const auto instancing = (*nodes)[i].find_extension("EXT_mesh_gpu_instancing");
         const auto attributes = instancing ? instancing->find("attributes") : std::optional<Place>{};
         if (attributes) check_attributes(*attributes, accessors);
     }
