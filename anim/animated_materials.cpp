@@ -4,6 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace gridreel::anim {
@@ -22,6 +23,11 @@ void set_share(Material& material, const float* value) {
 template <auto number>
 void set_not_negative(Material& material, const float* value) {
     number(material) = std::max(value[0], 0.0f);
+}
+
+template <auto number>
+void set_above_zero(Material& material, const float* value) {
+    number(material) = std::max(value[0], std::numeric_limits<float>::min());
 }
 
 template <auto number>
@@ -72,7 +78,7 @@ std::vector<Property> factors() {
         {"extensions/KHR_materials_volume/thicknessFactor", 1,
          set_not_negative<GRIDREEL_OF(volume.thickness_m)>},
         {"extensions/KHR_materials_volume/attenuationDistance", 1,
-         set_not_negative<GRIDREEL_OF(volume.attenuation_distance_m)>},
+         set_above_zero<GRIDREEL_OF(volume.attenuation_distance_m)>},
         {"extensions/KHR_materials_volume/attenuationColor", 3,
          set_color<GRIDREEL_OF(volume.attenuation_color)>},
     };

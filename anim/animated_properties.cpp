@@ -24,16 +24,14 @@ double not_zero(const float* value) {
     return value[0] == 0.0f ? double(smallest) : double(value[0]);
 }
 
+/// Without aspectRatio and xmag: all pictures of a sequence have one shape.
 const AnimatedProperty<Camera> of_cameras[] = {
     {"perspective/yfov", 1,
      [](Camera& camera, const float* value) {
          camera.fov_y_rad = std::clamp(double(value[0]), 1e-6, std::numbers::pi - 1e-6);
      }},
-    {"perspective/aspectRatio", 1,
-     [](Camera& camera, const float* value) { camera.aspect = above_zero(value); }},
     {"perspective/znear", 1, [](Camera& camera, const float* value) { camera.near_m = above_zero(value); }},
     {"perspective/zfar", 1, [](Camera& camera, const float* value) { camera.far_m = above_zero(value); }},
-    {"orthographic/xmag", 1, [](Camera& camera, const float* value) { camera.x_mag = not_zero(value); }},
     {"orthographic/ymag", 1, [](Camera& camera, const float* value) { camera.y_mag = not_zero(value); }},
     {"orthographic/znear", 1,
      [](Camera& camera, const float* value) { camera.near_m = std::max(0.0, double(value[0])); }},

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace gridreel::anim {
@@ -28,17 +29,36 @@ std::vector<std::uint32_t> used_vertices(const FrameGeometry& geometry) {
     return vertices;
 }
 
-/// The box of some vertices of one frame. Each slice of vertices has its own box, merged at the end.
-Box box_of(const FrameGeometry& geometry, const std::vector<std::uint32_t>& vertices) {
-    constexpr std::size_t slice = 16'384;
-    std::vector<Box> boxes((vertices.size() + slice - 1) / slice);
-    tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
-        const std::size_t end = std::min(vertices.size(), (i + 1) * slice);
-        for (std::size_t v = i * slice; v < end; ++v) boxes[i].extend(geometry.positions[vertices[v]]);
-    });
-    Box whole;
-    for (const Box& box : boxes) whole.extend(box);
-    return whole;
+/// Some of the vertices of one part, and the boxes that they have been in.
+struct Slice {
+    std::size_t part = 0;
+    std::span<const std::uint32_t> vertices;
+    Box while_shown{};
+    Box always{};
+};
+
+/// Parts follow each other in the frame, and so do their vertices.
+std::vector<Slice> cut(const FrameGeometry& geometry, std::span<const std::uint32_t> vertices) {
+    constexpr std::size_t longest = 16'384;
+    std::vector<Slice> slices;
+    std::size_t first = 0;
+    for (std::size_t p = 0; p < geometry.parts.size(); ++p) {
+        const Part& part = geometry.parts[p];
+        while (first < vertices.size() && vertices[first] < part.first_vertex + part.vertex_count) {
+            std::size_t last = std::min(vertices.size(), first + longest);
+            while (vertices[last - 1] >= part.first_vertex + part.vertex_count) --last;
+            slices.push_back({.part = p, .vertices = vertices.subspan(first, last - first)});
+            first = last;
+        }
+    }
+    return slices;
+}
+
+void extend(const FrameGeometry& geometry, Slice& slice) {
+    Box box;
+    for (const std::uint32_t vertex : slice.vertices) box.extend(geometry.positions[vertex]);
+    slice.always.extend(box);
+    if (geometry.is_shown[slice.part]) slice.while_shown.extend(box);
 }
 
 }  // namespace
@@ -46,14 +66,20 @@ Box box_of(const FrameGeometry& geometry, const std::vector<std::uint32_t>& vert
 Box clip_bounds(const Scene& scene, const Clip& clip) {
     FrameGeometry geometry = lay_out(scene, clip);
     const std::vector<std::uint32_t> vertices = used_vertices(geometry);
+    std::vector<Slice> slices = cut(geometry, vertices);
     const int times = clip.duration_s > 0.0 && geometry.moving_triangles() > 0 ? times_sampled : 1;
 
-    Box whole;
+    std::vector<bool> was_shown(geometry.parts.size(), false);
     for (int i = 0; i < times; ++i) {
         const double time_s = times == 1 ? 0.0 : clip.duration_s * i / (times - 1);
         deform(scene, pose(scene, clip, time_s), geometry);
-        whole.extend(box_of(geometry, vertices));
+        tbb::parallel_for(std::size_t{0}, slices.size(), [&](std::size_t s) { extend(geometry, slices[s]); });
+        for (std::size_t p = 0; p < was_shown.size(); ++p)
+            was_shown[p] = was_shown[p] || geometry.is_shown[p];
     }
+
+    Box whole;
+    for (const Slice& slice : slices) whole.extend(was_shown[slice.part] ? slice.while_shown : slice.always);
     return whole;
 }
 

@@ -38,8 +38,9 @@ void validate(Document& document) {
 
 }  // namespace
 
-Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& file) {
-    Document document(bytes, file);
+Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                 const std::filesystem::path& asset_root) {
+    Document document(bytes, file, asset_root);
     validate(document);
     decompress_primitives(document);
 
@@ -47,20 +48,20 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& 
     read_node_extensions(document, scene);
     scene.materials = read_materials(document);
     scene.textures = read_textures(document, scene.materials);
-    warn_of_undrawn_looks(document, scene.materials);
     scene.name = file.stem().string();
     scene.meshes = read_meshes(document);
     pay_for_morph_weights(document, scene);
     warn_of_missing_texcoords(document, scene);
     scene.animations = read_animations(document);
+    warn_of_undrawn_looks(document, scene);
     scene.images = read_images(document);
     check_joints_exist(document, scene);
     scene.warnings = std::move(document.warnings());
     return scene;
 }
 
-Scene load(const std::filesystem::path& file) {
-    return load_bytes(read_whole_file(file), file);
+Scene load(const std::filesystem::path& file, const std::filesystem::path& asset_root) {
+    return load_bytes(read_whole_file(file), file, asset_root);
 }
 
 }  // namespace gridreel::anim

@@ -86,6 +86,16 @@ void apply(const Channel& channel, const Sampler& sampler, Posed& posed) {
     }
 }
 
+/// All channels of meshes, or all others. Where two animations meet, the later one stays.
+void play(const Scene& scene, const Clip& clip, bool of_meshes, Posed& posed) {
+    for (const Index index : clip.animations) {
+        const Animation& animation = scene.animations[index];
+        for (const Channel& channel : animation.channels) {
+            if (channel.of_mesh == of_meshes) apply(channel, animation.samplers[channel.sampler], posed);
+        }
+    }
+}
+
 /// World matrices of all nodes of the file: a skin's joints may stand outside the scene that is shown.
 std::vector<glm::dmat4> world_matrices(const Scene& scene, const std::vector<Trs>& locals) {
     std::vector<glm::dmat4> world(scene.nodes.size(), glm::dmat4{1.0});
@@ -102,13 +112,9 @@ std::vector<glm::dmat4> world_matrices(const Scene& scene, const std::vector<Trs
 Pose pose(const Scene& scene, const Clip& clip, double time_s) {
     Posed posed = at_rest(scene, time_s);
 
-    // Where two animations meet, the later one stays.
-    for (const Index index : clip.animations) {
-        const Animation& animation = scene.animations[index];
-        for (const Channel& channel : animation.channels) {
-            apply(channel, animation.samplers[channel.sampler], posed);
-        }
-    }
+    // What a mesh gives to its nodes first: their own channels count more.
+    play(scene, clip, true, posed);
+    play(scene, clip, false, posed);
 
     posed.pose.world = world_matrices(scene, posed.locals);
     inherit_visibility(scene, posed.pose.visible);

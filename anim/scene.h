@@ -124,7 +124,8 @@ struct Channel {
     ChannelPath path = ChannelPath::translation;
     /// Which value of a camera, light or material (into its list in animated_properties.h), or which weight.
     Index property = 0;
-    Index sampler = 0;  ///< into `Animation::samplers`
+    Index sampler = 0;     ///< into `Animation::samplers`
+    bool of_mesh = false;  ///< weights of the node's mesh, which the node's own take the place of
 };
 
 struct Animation {

@@ -34,7 +34,7 @@ std::filesystem::path camera_file(const BakeJob& job) {
 
 BakeResult bake(const BakeJob& job, const BakeReports& reports, const std::atomic<bool>& stop) {
     check_bake(job);
-    const anim::Scene scene = anim::load(job.take.scene_file);
+    const anim::Scene scene = load_scene(job.take).scene;
     for (const anim::Warning& warning : scene.warnings) {
         reports.warning(fmt::format("{}: {}", warning.where, warning.text));
     }
@@ -65,7 +65,7 @@ BakeResult bake(const BakeJob& job, const BakeReports& reports, const std::atomi
     }
     const CameraFileHead head{.camera = std::string(camera.name()),
                               .aspect = camera.aspect(),
-                              .scene_sha256 = scene_sha256(job.take.scene_file),
+                              .scene_sha256 = scene_sha256(job.take.scene_file, job.take.asset_root),
                               .scene = clip.scene,
                               .animations = clip.animations,
                               .rate = job.take.rate};

@@ -65,8 +65,9 @@ std::optional<std::string> read_file(const std::filesystem::path& file) {
 }
 
 /// The bytes of a file that the scene names; none when the loader would not follow the URI either.
-std::string read_named(const std::string& uri, const std::filesystem::path& folder) {
-    const anim::gltf::UriTarget target = anim::gltf::resolve_uri(uri, folder);
+std::string read_named(const std::string& uri, const std::filesystem::path& folder,
+                       const std::filesystem::path& asset_root) {
+    const anim::gltf::UriTarget target = anim::gltf::resolve_uri(uri, folder, asset_root);
     if (!target.refusal.empty()) return {};
     return read_file(target.path).value_or("");
 }
@@ -96,13 +97,13 @@ std::string sha256_hex(std::span<const std::byte> bytes) {
     return hash.hex();
 }
 
-std::string scene_sha256(const std::filesystem::path& file) {
+std::string scene_sha256(const std::filesystem::path& file, const std::filesystem::path& asset_root) {
     const auto content = read_file(file);
     if (!content) throw Error("the file cannot be read", file.string(), "check the path and its permissions");
     Sha256 hash;
     hash.add(content->data(), content->size());
     for (const std::string& uri : named_files(*content)) {
-        const std::string other = read_named(uri, file.parent_path());
+        const std::string other = read_named(uri, file.parent_path(), asset_root);
         hash.add_length(other.size());
         hash.add(other.data(), other.size());
     }

@@ -13,8 +13,10 @@ namespace gridreel::sequences {
 
 /// SHA-256 of a scene: the file's bytes, and for a `.gltf` the length (64 bits, little-endian) and the
 /// bytes of every file it names, in the order of `/buffers` and then `/images`. What the loader would not
-/// read (a missing file, one outside the scene's folder, a pipe) counts as empty.
+/// read (a missing file, one that it may not name, a pipe) counts as empty.
+/// @param asset_root  as `anim::load` takes it
 /// @throws Error when the scene file itself cannot be read
-[[nodiscard]] std::string scene_sha256(const std::filesystem::path& file);
+[[nodiscard]] std::string scene_sha256(const std::filesystem::path& file,
+                                       const std::filesystem::path& asset_root = {});
 
 }  // namespace gridreel::sequences

@@ -57,6 +57,7 @@ Json options_of(const RunRecord& run) {
             {"fps", to_string(job.take.rate)},
             {"animation", job.take.animation},
             {"scene", job.take.scene ? Json(*job.take.scene) : Json()},
+            {"asset-root", job.take.asset_root.empty() ? Json() : Json(job.take.asset_root.string())},
             {"variant", job.take.variant.empty() ? Json() : Json(job.take.variant)},
             {"camera", render.camera},
             {"size", {run.width, run.height}},

@@ -38,7 +38,7 @@ RunRecord describe_run(const Job& job, const anim::Scene& scene, const anim::Cli
     for (const anim::Index animation : clip.animations)
         animations.push_back(scene.animations[animation].name);
     return {.job = job,
-            .scene_sha256 = scene_sha256(job.take.scene_file),
+            .scene_sha256 = scene_sha256(job.take.scene_file, job.take.asset_root),
             .animations = std::move(animations),
             .frames = frames,
             .width = renderer.width(),

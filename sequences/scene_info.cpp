@@ -62,7 +62,7 @@ SceneInfo inspect(const Take& take) {
 
     SceneInfo info;
     info.file = take.scene_file;
-    info.sha256 = scene_sha256(take.scene_file);
+    info.sha256 = scene_sha256(take.scene_file, take.asset_root);
     info.rate = take.rate;
     info.scenes = scene.scenes.size();
     info.scene = clip.scene;

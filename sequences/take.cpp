@@ -49,7 +49,11 @@ std::vector<Frame> with_last(std::vector<Frame> frames, double duration_s, const
 }  // namespace
 
 LoadedScene load_scene(const Take& take) {
-    LoadedScene loaded{.scene = anim::load(take.scene_file), .variant = {}};
+    if (!take.asset_root.empty() && !std::filesystem::is_directory(take.asset_root)) {
+        throw UsageError(fmt::format("there is no folder '{}'", take.asset_root.string()), "--asset-root",
+                         "name a folder in which the files lie that the scene names");
+    }
+    LoadedScene loaded{.scene = anim::load(take.scene_file, take.asset_root), .variant = {}};
     if (take.variant.empty()) return loaded;
     try {
         loaded.variant = anim::choose_variant(loaded.scene, take.variant);

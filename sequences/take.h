@@ -18,6 +18,7 @@ namespace gridreel::sequences {
 /// What to play, as asked for.
 struct Take {
     std::filesystem::path scene_file;
+    std::filesystem::path asset_root{};  ///< as `anim::load` takes it
     std::string animation = "auto";    ///< as `anim::choose_clip` takes it
     std::optional<anim::Index> scene;  ///< of the file; absent: its default
     std::string variant;               ///< as `anim::choose_variant` takes it; empty: the materials' own
@@ -33,7 +34,7 @@ struct LoadedScene {
 };
 
 /// `anim::load` of the take's file in the variant asked for; one that the file does not have is the caller's
-/// mistake.
+/// mistake, as is an asset root that is no folder.
 /// @throws UsageError, Error
 [[nodiscard]] LoadedScene load_scene(const Take& take);
 

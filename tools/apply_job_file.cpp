@@ -15,6 +15,11 @@ using sequences::UsageError;
 
 constexpr std::string_view scene_key = "input";
 
+/// What is read is found beside the job file.
+bool names_what_is_read(std::string_view key) {
+    return key == scene_key || key == "asset-root";
+}
+
 CLI::Option* find_option(CLI::App& app, const std::string& key) {
     if (key == scene_key) return app.get_option_no_throw("SCENE");
     CLI::Option* const option = app.get_option_no_throw("--" + key);
@@ -55,9 +60,9 @@ void apply_job_file(const std::filesystem::path& file, CLI::App& app) {
         if (on_command_line(app, *option, entry.key)) continue;  // the command line wins
 
         try {
-            if (entry.key == scene_key) {
-                for (const std::string& scene : entry.values)
-                    option->add_result((file.parent_path() / scene).string());
+            if (names_what_is_read(entry.key)) {
+                for (const std::string& path : entry.values)
+                    option->add_result((file.parent_path() / path).string());
             } else {
                 option->add_result(fmt::format("{}", fmt::join(entry.values, ",")));
             }

@@ -43,6 +43,7 @@ void refuse_empty_values(CLI::App& app);
 /// The text of the options that choose what is played.
 struct TakeText {
     std::string scene_file;
+    std::string asset_root;
     std::string frames;
     std::string fps = "24";
     std::string animation = "auto";
@@ -53,7 +54,7 @@ struct TakeText {
 
 enum class FrameOption { offered, left_out };
 
-/// -f --loop --fps --animation --scene.
+/// -f --loop --fps --animation --scene --asset-root.
 void add_clip_options(CLI::App& app, TakeText& text, FrameOption frames);
 
 /// SCENE, and those of `add_clip_options`.
@@ -67,7 +68,7 @@ void add_variant_option(CLI::App& app, TakeText& text);
 
 /// Gives the options of `app` that the command line leaves open the values of a job file: keys of the
 /// section named like the command, and those before any section. A key is an option's long name;
-/// `input` is the SCENE file, found beside the job file. Whatever is written goes where it would without
+/// `input` is the SCENE file; it and `asset-root` are found beside the job file. Whatever is written goes where it would without
 /// the file: relative to the current folder.
 ///
 /// @throws sequences::UsageError for unknown keys and values that do not fit, with file and line

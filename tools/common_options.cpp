@@ -78,6 +78,11 @@ void add_clip_options(CLI::App& app, TakeText& text, FrameOption frames) {
         ->type_name("N")
         ->default_str("the file's default")
         ->group("What to play");
+    app.add_option("--asset-root", text.asset_root,
+                   "Images and buffers that the scene names may lie in DIR, too")
+        ->type_name("DIR")
+        ->default_str("the scene's folder alone")
+        ->group("What to play");
 }
 
 void add_variant_option(CLI::App& app, TakeText& text) {
@@ -98,6 +103,7 @@ sequences::Take read_take(const TakeText& text) {
     }
     sequences::Take take;
     take.scene_file = text.scene_file;
+    take.asset_root = text.asset_root;
     take.animation = text.animation;
     take.variant = text.variant;
     take.rate = sequences::parse_frame_rate(text.fps);

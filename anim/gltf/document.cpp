@@ -57,8 +57,9 @@ std::vector<std::byte> read_whole_file(const std::filesystem::path& path) {
     return std::move(*bytes);
 }
 
-Document::Document(std::span<const std::byte> bytes, const std::filesystem::path& path)
-    : file_(path.filename().string()), folder_(path.parent_path()) {
+Document::Document(std::span<const std::byte> bytes, const std::filesystem::path& path,
+                   std::filesystem::path asset_root)
+    : file_(path.filename().string()), folder_(path.parent_path()), asset_root_(std::move(asset_root)) {
     const Container parts = split_container(bytes, file_);
     json_ = parse_json(parts.json, file_);
     binary_ = parts.binary;
@@ -90,7 +91,10 @@ std::span<const std::byte> Document::read_buffer(const Place& place, std::size_t
         } else {
             auto beside = read_file(uri->text(), *uri);
             if (!beside.refusal.empty() && !may_be_missing)
-                uri->refuse(beside.refusal, "put the buffer beside the model and name it by a relative URI");
+                uri->refuse(
+                    beside.refusal,
+                    "put the buffer beside the model and name it by a relative URI, or allow the folder that "
+                    "it lies in with --asset-root");
             owned_.push_back(std::move(beside.bytes));
         }
         bytes = owned_.back();
@@ -125,7 +129,7 @@ Index Document::add_accessor(Accessor accessor, std::vector<std::byte> bytes) {
 }
 
 FileBytes Document::read_file(std::string_view uri, const Place& place) {
-    const UriTarget target = resolve_uri(uri, folder_);
+    const UriTarget target = resolve_uri(uri, folder_, asset_root_);
     if (!target.refusal.empty()) return {.refusal = target.refusal};
 
     const FileBytes unreadable{.refusal = fmt::format("the file \"{}\" cannot be read", uri)};

@@ -30,8 +30,10 @@ public:
     /// Parses the JSON; nothing is checked yet.
     ///
     /// @param bytes  the whole file; must outlive this
-    /// @param path   its name, for messages and for finding the files beside it
-    Document(std::span<const std::byte> bytes, const std::filesystem::path& path);
+    /// @param path        its name, for messages and for finding the files beside it
+    /// @param asset_root  as `load` takes it
+    Document(std::span<const std::byte> bytes, const std::filesystem::path& path,
+             std::filesystem::path asset_root);
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
@@ -56,7 +58,7 @@ public:
     /// For rewriting what refers to accessors. Places inside what is replaced are void.
     [[nodiscard]] Json& json() { return json_; }
 
-    /// The bytes of the file that a URI names, if it leads to one inside the model's folder.
+    /// The bytes of the file that a URI names, if it leads to one that it may name.
     /// @throws Error at `place` when the budget does not allow it
     [[nodiscard]] FileBytes read_file(std::string_view uri, const Place& place);
 
@@ -76,6 +78,7 @@ private:
 
     std::string file_;
     std::filesystem::path folder_;
+    std::filesystem::path asset_root_;
     Json json_;
     std::span<const std::byte> binary_;
     bool is_binary_ = false;

@@ -70,7 +70,6 @@ Sampler read_sampler(Document& document, const Place& place) {
 struct Channels {
     std::map<std::size_t, Index> kept;  ///< the file's sampler -> ours
     std::set<std::tuple<bool, ChannelPath, Index, Index>> driven;
-    std::vector<Channel> of_meshes;  ///< one for each node that takes its weights from a mesh
     std::map<Index, std::vector<Index>> weighted_by;  ///< a mesh -> those nodes
     std::set<std::string> ignored, repeated, blended_flags;
 };
@@ -102,15 +101,18 @@ void read_channel(Document& document, const Place& channel, const Place& sampler
     if (is_new) animation.samplers.push_back(read_sampler(document, samplers[sampler]));
     if (target.path == ChannelPath::rotation)
         check_rotations(animation.samplers[entry->second], samplers[sampler].at("output"));
-    const Channel driving{
-        .object = target.object, .path = target.path, .property = target.property, .sampler = entry->second};
+    Channel driving{.object = target.object,
+                    .path = target.path,
+                    .property = target.property,
+                    .sampler = entry->second,
+                    .of_mesh = target.of_mesh};
     if (target.of_mesh) {
         auto [nodes, is_first] = channels.weighted_by.try_emplace(target.object);
         if (is_first) nodes->second = nodes_weighted_by(document, target.object);
-        document.budget().spend(2 * nodes->second.size() * sizeof(Channel), place);
+        document.budget().spend(nodes->second.size() * sizeof(Channel), place);
         for (const Index node : nodes->second) {
-            channels.of_meshes.push_back(driving);
-            channels.of_meshes.back().object = node;
+            driving.object = node;
+            animation.channels.push_back(driving);
         }
     } else {
         animation.channels.push_back(driving);
@@ -130,9 +132,6 @@ Animation read_animation(Document& document, const Place& place) {
     const Place list = place.at("channels");
     for (std::size_t i = 0; i < list.size(); ++i)
         read_channel(document, list[i], place.at("samplers"), channels, animation);
-    // First, so that what drives a node itself counts.
-    animation.channels.insert(animation.channels.begin(), channels.of_meshes.begin(),
-                              channels.of_meshes.end());
 
     if (!channels.ignored.empty())
         document.warn(place,

@@ -30,7 +30,8 @@ Image read_image(Document& document, const Place& place, std::size_t number) {
     if (image.encoded.empty())
         document.warn(
             place,
-            fmt::format("the image \"{}\" is left out: {}; put it beside the model, or below its folder",
+            fmt::format("the image \"{}\" is left out: {}; put it beside the model or below its folder, or "
+                        "allow the folder that it lies in with --asset-root",
                         image.name, problem));
     return image;
 }

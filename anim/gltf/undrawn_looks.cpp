@@ -1,11 +1,14 @@
 #include "anim/gltf/undrawn_looks.h"
 
+#include "anim/animated_properties.h"
+
 #include <fmt/format.h>
 
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace gridreel::anim::gltf {
 namespace {
@@ -42,20 +45,47 @@ constexpr std::array looks{
     Look{"KHR_materials_iridescence", "iridescence"},
 };
 
-std::optional<Place> find_look(const Place& material, std::string_view name) {
-    return name.starts_with("KHR_") ? material.find_extension(name) : material.find(name);
+bool is_extension(std::string_view place) {
+    return place.starts_with("KHR_");
+}
+
+std::optional<Place> find_look(const Place& material, std::string_view place) {
+    return is_extension(place) ? material.find_extension(place) : material.find(place);
+}
+
+/// Whether a pointer drives a value of the look.
+bool belongs_to(std::string_view pointer, std::string_view place) {
+    constexpr std::string_view extensions = "extensions/";
+    if (is_extension(place)) {
+        if (!pointer.starts_with(extensions)) return false;
+        pointer.remove_prefix(extensions.size());
+    }
+    return pointer.substr(0, pointer.find('/')) == place;
+}
+
+/// The materials whose look an animation drives, one flag each.
+std::vector<bool> animated(const Scene& scene, const Look& look) {
+    std::vector<bool> is_animated(scene.materials.size(), false);
+    for (const Animation& animation : scene.animations)
+        for (const Channel& channel : animation.channels)
+            if (channel.path == ChannelPath::material &&
+                belongs_to(material_properties()[channel.property].pointer, look.place))
+                is_animated[channel.object] = true;
+    return is_animated;
 }
 
 }  // namespace
 
-void warn_of_undrawn_looks(Document& document, std::span<const Material> materials) {
+void warn_of_undrawn_looks(Document& document, const Scene& scene) {
+    const std::vector<Material>& materials = scene.materials;
     const auto places = document.all("materials");
     for (const Look& look : looks) {
+        const std::vector<bool> is_animated = animated(scene, look);
         std::optional<Place> first;
         std::size_t count = 0;
         for (std::size_t i = 0; i < materials.size(); ++i) {
             const auto place = find_look(places[i], look.place);
-            if (!place || materials[i].unlit || !look.shows(materials[i])) continue;
+            if (!place || materials[i].unlit || !(look.shows(materials[i]) || is_animated[i])) continue;
             if (!first) first = place;
             ++count;
         }

@@ -77,22 +77,6 @@ bool has_scheme(std::string_view uri) {
                        [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '-' || c == '.'; });
 }
 
-/// Whether a path walks above where it starts, with / or \ between its segments.
-bool climbs_out(std::string_view path) {
-    int depth = 0;
-    while (true) {
-        const auto end = path.find_first_of("/\\");
-        const auto segment = path.substr(0, end);
-        if (segment == "..")
-            --depth;
-        else if (!segment.empty() && segment != ".")
-            ++depth;
-        if (depth < 0) return true;
-        if (end == path.npos) return false;
-        path.remove_prefix(end + 1);
-    }
-}
-
 bool is_inside(const std::filesystem::path& path, const std::filesystem::path& folder) {
     const auto [folder_end, _] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
     return folder_end == folder.end();
@@ -114,27 +98,33 @@ std::optional<DataUri> decode_data_uri(std::string_view uri, const Place& place)
     return DataUri{.mime_type = head.substr(0, head.find(';')), .bytes = std::move(*bytes)};
 }
 
-UriTarget resolve_uri(std::string_view uri, const std::filesystem::path& folder) {
+UriTarget resolve_uri(std::string_view uri, const std::filesystem::path& folder,
+                      const std::filesystem::path& asset_root) {
     const auto refused = [](std::string why) { return UriTarget{.refusal = std::move(why)}; };
     if (uri.empty()) return refused("the URI is empty");
     if (has_scheme(uri)) return refused("the URI has a scheme; only relative URIs and data URIs are read");
 
-    const auto relative = percent_decode(uri);
+    auto relative = percent_decode(uri);
     if (!relative) return refused("the URI has a % that no two hexadecimal digits follow");
     if (relative->find('\0') != relative->npos) return refused("the URI holds a zero byte");
-    if (relative->front() == '/' || relative->front() == '\\' || has_scheme(*relative))
-        return refused("the URI is absolute");
-    if (climbs_out(*relative)) return refused("the URI leads out of the model's folder");
+    // Exporters on Windows write \ between segments.
+    std::replace(relative->begin(), relative->end(), '\\', '/');
+    if (relative->front() == '/' || has_scheme(*relative)) return refused("the URI is absolute");
 
-    // Symbolic links may not lead out either.
+    // Symbolic links are followed first: they may not lead out either.
     std::error_code failed;
     const auto home = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, failed);
     if (failed) return refused(fmt::format("the model's folder cannot be found ({})", failed.message()));
     const auto target = std::filesystem::weakly_canonical(home / *relative, failed);
     if (failed) return refused(fmt::format("the URI cannot be followed ({})", failed.message()));
-    if (!is_inside(target, home))
-        return refused("the URI leads out of the model's folder through a symbolic link");
-    return {.path = target};
+    if (is_inside(target, home)) return {.path = target};
+    if (!asset_root.empty()) {
+        const auto root = std::filesystem::canonical(asset_root, failed);
+        if (failed) return refused(fmt::format("the asset root cannot be found ({})", failed.message()));
+        if (is_inside(target, root)) return {.path = target};
+        return refused("the URI leads out of the model's folder and of the asset root");
+    }
+    return refused("the URI leads out of the model's folder");
 }
 
 }  // namespace gridreel::anim::gltf

@@ -1,5 +1,5 @@
 #pragma once
-// Where a URI of the file leads: embedded bytes, or a file in the same folder, and nowhere else.
+// Where a URI of the file leads: embedded bytes, or a file in folders that it may name, and nowhere else.
 
 #include "anim/gltf/place.h"
 
@@ -29,10 +29,12 @@ struct UriTarget {
     std::string refusal{};  ///< empty: `path` may be read
 };
 
-/// Follows a relative, percent-encoded URI. Schemes, absolute paths and paths that leave `folder` are
-/// refused.
+/// Follows a relative, percent-encoded URI. Schemes, absolute paths and paths that lead elsewhere than into
+/// the two folders are refused, through symbolic links too.
 ///
-/// @param folder  the folder of the glTF file; nothing outside it can be named, through symbolic links either
-[[nodiscard]] UriTarget resolve_uri(std::string_view uri, const std::filesystem::path& folder);
+/// @param folder      the folder of the glTF file, from which the URI starts
+/// @param asset_root  another folder whose files it may name; empty: none
+[[nodiscard]] UriTarget resolve_uri(std::string_view uri, const std::filesystem::path& folder,
+                                    const std::filesystem::path& asset_root);
 
 }  // namespace gridreel::anim::gltf

@@ -25,17 +25,20 @@ TEST_CASE("relative URIs are percent-decoded", "[load]") {
     folder.write("models/sub/a b%c\xc3\xa9.bin", buffer_bytes());
     CHECK_NOTHROW(anim::load(model_with_buffer_at(folder, "sub/a%20b%25c%C3%a9.bin")));
     CHECK_NOTHROW(anim::load(model_with_buffer_at(folder, "./sub/../sub/a b%25c\xc3\xa9.bin")));
+    CHECK_NOTHROW(anim::load(model_with_buffer_at(folder, "sub\\a%20b%25c\xc3\xa9.bin")));
+    CHECK_NOTHROW(anim::load(model_with_buffer_at(folder, "../models/sub/a b%25c\xc3\xa9.bin")));
 }
 
 TEST_CASE("URIs that lead out of the model's folder are refused", "[load]") {
     const test::TemporaryFolder folder;
     const auto secret = folder.write("secret.bin", buffer_bytes());
+    folder.write("models.bin", buffer_bytes());
     folder.write("models/own.bin", buffer_bytes());
     const std::string absolute = secret.string();
     for (const std::string& uri :
          {std::string("../secret.bin"), std::string("%2e%2e/secret.bin"), std::string("..%2Fsecret.bin"),
-          std::string("sub/../../secret.bin"), std::string("..\\secret.bin"), absolute,
-          "%2F" + absolute.substr(1), "file://" + absolute, std::string("http://example.com/a.bin"),
+          std::string("sub/../../secret.bin"), std::string("..\\secret.bin"), std::string("../models.bin"),
+          absolute, "%2F" + absolute.substr(1), "file://" + absolute, std::string("http://example.com/a.bin"),
           std::string("C:/secret.bin"), std::string("own.bin%00.png"), std::string("own%zz.bin"),
           std::string("")}) {
         INFO("URI '" << uri << "'");
@@ -51,8 +54,37 @@ TEST_CASE("symbolic links do not lead out of the model's folder", "[load]") {
     std::filesystem::create_symlink("../secret.bin", folder.path() / "models/out.bin");
     std::filesystem::create_symlink("own.bin", folder.path() / "models/in.bin");
 
-    CHECK_THROWS_WITH(anim::load(model_with_buffer_at(folder, "out.bin")), Contains("symbolic link"));
+    CHECK_THROWS_WITH(anim::load(model_with_buffer_at(folder, "out.bin")),
+                      Contains("leads out of the model's folder"));
     CHECK_NOTHROW(anim::load(model_with_buffer_at(folder, "in.bin")));
+}
+
+TEST_CASE("URIs may lead into the asset root, and into nothing beside it", "[load]") {
+    const test::TemporaryFolder folder;
+    folder.write("secret.bin", buffer_bytes());
+    folder.write("shared/part.bin", buffer_bytes());
+    folder.write("models/own.bin", buffer_bytes());
+    std::filesystem::create_symlink("../secret.bin", folder.path() / "shared/out.bin");
+    const auto load_with = [&](std::string_view uri, const std::filesystem::path& root) {
+        return anim::load(model_with_buffer_at(folder, uri), root);
+    };
+
+    const auto shared = folder.path() / "shared";
+    CHECK_NOTHROW(load_with("../shared/part.bin", shared));
+    CHECK_NOTHROW(load_with("../shared/part.bin", shared / ""));
+    CHECK_NOTHROW(load_with("../shared/part.bin", folder.path()));
+    CHECK_NOTHROW(load_with("own.bin", shared));
+    // Where a URI starts does not change.
+    CHECK_THROWS_WITH(load_with("part.bin", shared), Contains("cannot be read"));
+    for (const auto* const uri : {"../secret.bin", "../shared/out.bin", "../shared/../secret.bin"}) {
+        INFO(uri);
+        CHECK_THROWS_WITH(load_with(uri, shared),
+                          Contains("/buffers/0/uri: the URI leads out of the model's folder "
+                                   "and of the asset root") &&
+                              Contains("--asset-root"));
+    }
+    CHECK_THROWS_WITH(load_with("../shared/part.bin", folder.path() / "none"),
+                      Contains("the asset root cannot be found"));
 }
 
 TEST_CASE("a missing or short buffer file is refused", "[load]") {

@@ -55,6 +55,31 @@ TEST_CASE("extensions that are not drawn are warned of in plain words", "[load]"
           "1 material has iridescence; it is not drawn yet");
 }
 
+TEST_CASE("a look that an animation switches on is warned of", "[load][pointer]") {
+    const auto warnings_with = [](const std::string& property) {
+        auto file = test::one_triangle();
+        file.json["images"] = {{{"uri", "data:image/png;base64,AAAA"}}};
+        file.json["textures"] = {{{"source", 0}}};
+        const json off = {{"occlusionTexture", {{"index", 0}, {"strength", 0}}},
+                          {"extensions", {{"KHR_materials_clearcoat", {{"clearcoatFactor", 0}}}}}};
+        file.json["materials"] = {off, off};
+        const auto input = file.add_scalars({0, 1}), output = file.add_scalars({0, 1});
+        const json pointer = {{"pointer", "/materials/1/" + property}};
+        const json target = {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", pointer}}}};
+        file.json["animations"] = {{{"samplers", {{{"input", input}, {"output", output}}}},
+                                    {"channels", {{{"sampler", 0}, {"target", target}}}}}};
+        return file.load().warnings;
+    };
+    const auto clearcoat = warnings_with("extensions/KHR_materials_clearcoat/clearcoatFactor");
+    REQUIRE(clearcoat.size() == 1);
+    CHECK(clearcoat[0].where == "/materials/1/extensions/KHR_materials_clearcoat");
+    CHECK(clearcoat[0].text == "1 material has a clearcoat; it is not drawn yet");
+    const auto occlusion = warnings_with("occlusionTexture/strength");
+    REQUIRE(occlusion.size() == 1);
+    CHECK(occlusion[0].where == "/materials/1/occlusionTexture");
+    CHECK(warnings_with("pbrMetallicRoughness/metallicFactor").empty());
+}
+
 TEST_CASE("looks that are switched off or that no light shows are not warned of", "[load]") {
     json unlit = extended("KHR_materials_clearcoat", {{"clearcoatFactor", 1}});
     unlit["extensions"]["KHR_materials_unlit"] = json::object();

@@ -88,6 +88,25 @@ TEST_CASE("an animation that always shows a node overrides its own flag, and one
     CHECK_FALSE(frame.parts[2].blinks);
 }
 
+TEST_CASE("a camera that fits sees parts where they are shown", "[anim][visibility]") {
+    // Node 3 waits far away until it is shown, at x = 3 from 1 s on.
+    Scene scene = four_triangles();
+    const Index animation = testing::add_animation(scene);
+    testing::drive(scene, animation, 3, ChannelPath::visibility,
+                   keys(Interpolation::step, 1, {0, 1, 2}, {0, 1, 1}));
+    testing::drive(scene, animation, 3, ChannelPath::translation,
+                   keys(Interpolation::step, 3, {0, 1, 2}, {500, 0, 0, 3, 0, 0, 3, 0, 0}));
+    CHECK(clip_bounds(scene, choose_clip(scene)) == Box{.min = {0, 0, 0}, .max = {4, 1, 0}});
+}
+
+TEST_CASE("a flash that no sampled time meets counts all the same", "[anim][visibility]") {
+    Scene scene = four_triangles();
+    const Index animation = testing::add_animation(scene);
+    testing::drive(scene, animation, 3, ChannelPath::visibility,
+                   keys(Interpolation::step, 1, {0, 0.5f, 0.501f, 31}, {0, 1, 0, 0}));
+    CHECK(clip_bounds(scene, choose_clip(scene)).max.x == 4.0f);
+}
+
 TEST_CASE("frame after frame, triangles come and go with their parts", "[anim][visibility]") {
     Scene scene = four_triangles();
     testing::drive(scene, testing::add_animation(scene), 1, ChannelPath::visibility, flash());

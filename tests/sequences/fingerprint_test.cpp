@@ -79,6 +79,17 @@ TEST_CASE("what the loader would not read counts as empty in a scene's hash", "[
     }
 }
 
+TEST_CASE("a scene's hash has the files of the asset root", "[fingerprint]") {
+    const ScratchFolder folder;
+    const std::string gltf = R"({"images":[{"uri":"../shared/a.png"}]})";
+    std::filesystem::create_directories(folder / "models");
+    std::filesystem::create_directories(folder / "shared");
+    write_file(folder / "models/s.gltf", gltf);
+    write_file(folder / "shared/a.png", "AAAA");
+    CHECK(scene_sha256(folder / "models/s.gltf") == hash(gltf + length(0)));
+    CHECK(scene_sha256(folder / "models/s.gltf", folder / "shared") == hash(gltf + length(4) + "AAAA"));
+}
+
 TEST_CASE("a binary scene's hash is its file's", "[fingerprint]") {
     const ScratchFolder folder;
     write_file(folder / "s.glb", "glTF\x02");
