@@ -39,16 +39,16 @@ struct Slice {
 
 /// Parts follow each other in the frame, and so do their vertices.
 std::vector<Slice> cut(const FrameGeometry& geometry, std::span<const std::uint32_t> vertices) {
-    constexpr std::size_t longest = 16'384;
+    constexpr std::ptrdiff_t longest = 16'384;
     std::vector<Slice> slices;
-    std::size_t first = 0;
+    auto begin = vertices.begin();
     for (std::size_t p = 0; p < geometry.parts.size(); ++p) {
         const Part& part = geometry.parts[p];
-        while (first < vertices.size() && vertices[first] < part.first_vertex + part.vertex_count) {
-            std::size_t last = std::min(vertices.size(), first + longest);
-            while (vertices[last - 1] >= part.first_vertex + part.vertex_count) --last;
-            slices.push_back({.part = p, .vertices = vertices.subspan(first, last - first)});
-            first = last;
+        const auto end = std::lower_bound(begin, vertices.end(), part.first_vertex + part.vertex_count);
+        while (begin != end) {
+            const auto last = begin + std::min<std::ptrdiff_t>(longest, end - begin);
+            slices.push_back({.part = p, .vertices = {begin, last}});
+            begin = last;
         }
     }
     return slices;

@@ -19,8 +19,8 @@ struct FrameSize {
 [[nodiscard]] FrameSize measure_frame(const Scene& scene, const Clip& clip);
 
 /// A few bytes of a file can hang one mesh on many nodes, and place a million instances of it. A frame may
-/// take 4 GiB plus four times what the meshes take that it is made of, and no more: what `load` promises of
-/// those makes it 6 GiB plus 512 times the bytes read.
+/// take 4 GiB plus four times what all meshes of the file take, and no more: what `load` promises of those
+/// makes it 6 GiB plus 512 times the bytes read.
 /// @throws Error at the node that takes most when the clip's frames would
 void check_frame_size(const Scene& scene, const Clip& clip);
 

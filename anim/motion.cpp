@@ -14,8 +14,10 @@ Motion find_motion(const Scene& scene, const Clip& clip) {
     // Nodes that a channel moves. Exporters key every bone, moving or not: constant keys do not count.
     for (const Index index : clip.animations) {
         const Animation& animation = scene.animations[index];
+        std::vector<bool> varying(animation.samplers.size());
+        std::transform(animation.samplers.begin(), animation.samplers.end(), varying.begin(), varies);
         for (const Channel& channel : animation.channels) {
-            if (!varies(animation.samplers[channel.sampler])) continue;
+            if (!varying[channel.sampler]) continue;
             switch (channel.path) {
                 case ChannelPath::translation:
                 case ChannelPath::rotation:

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace gridreel::anim {
@@ -45,26 +47,40 @@ bool same_numbers(const Sampler& sampler, double time_s, double other_time_s) {
     return true;
 }
 
-bool same(const Channel& channel, const Sampler& sampler, double time_s, double other_time_s) {
-    switch (channel.path) {
-        case ChannelPath::rotation:
+/// How two values of a property are held against each other.
+enum class Kind { turn, flag, numbers };
+
+Kind kind_of(ChannelPath path) {
+    if (path == ChannelPath::rotation) return Kind::turn;
+    return path == ChannelPath::visibility ? Kind::flag : Kind::numbers;
+}
+
+bool same(Kind kind, const Sampler& sampler, double time_s, double other_time_s) {
+    switch (kind) {
+        case Kind::turn:
             return same_turn(sampler, time_s, other_time_s);
-        case ChannelPath::visibility:
+        case Kind::flag:
             return sample_flag(sampler, time_s) == sample_flag(sampler, other_time_s);
         default:
             return same_numbers(sampler, time_s, other_time_s);
     }
 }
 
+bool repeats(const Animation& animation, double time_s, double other_time_s) {
+    // Each sampler once, however many channels share it.
+    std::set<std::pair<Index, Kind>> played;
+    for (const Channel& channel : animation.channels) played.emplace(channel.sampler, kind_of(channel.path));
+    return std::all_of(played.begin(), played.end(), [&](const auto& sampler_and_kind) {
+        const auto& [sampler, kind] = sampler_and_kind;
+        return same(kind, animation.samplers[sampler], time_s, other_time_s);
+    });
+}
+
 }  // namespace
 
 bool repeats(const Scene& scene, const Clip& clip, double time_s, double other_time_s) {
-    return std::all_of(clip.animations.begin(), clip.animations.end(), [&](Index index) {
-        const Animation& animation = scene.animations[index];
-        return std::all_of(animation.channels.begin(), animation.channels.end(), [&](const Channel& channel) {
-            return same(channel, animation.samplers[channel.sampler], time_s, other_time_s);
-        });
-    });
+    return std::all_of(clip.animations.begin(), clip.animations.end(),
+                       [&](Index index) { return repeats(scene.animations[index], time_s, other_time_s); });
 }
 
 }  // namespace gridreel::anim

@@ -4,6 +4,7 @@
 #include "anim/sample_channel.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace gridreel::anim {
 namespace {
@@ -25,9 +26,13 @@ std::vector<Shown> shown_in(const Scene& scene, const Clip& clip) {
     for (const Node& node : scene.nodes) shown.push_back(node.visible ? Shown::always : Shown::never);
     for (const Index index : clip.animations) {
         const Animation& animation = scene.animations[index];
+        // Once, however many channels share it.
+        std::vector<std::optional<Shown>> by_sampler(animation.samplers.size());
         for (const Channel& channel : animation.channels) {
-            if (channel.path == ChannelPath::visibility)
-                shown[channel.object] = shown_by(animation.samplers[channel.sampler]);
+            if (channel.path != ChannelPath::visibility) continue;
+            auto& known = by_sampler[channel.sampler];
+            if (!known) known = shown_by(animation.samplers[channel.sampler]);
+            shown[channel.object] = *known;
         }
     }
 

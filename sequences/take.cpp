@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 
 namespace gridreel::sequences {
 namespace {
@@ -49,7 +50,8 @@ std::vector<Frame> with_last(std::vector<Frame> frames, double duration_s, const
 }  // namespace
 
 LoadedScene load_scene(const Take& take) {
-    if (!take.asset_root.empty() && !std::filesystem::is_directory(take.asset_root)) {
+    std::error_code failed;
+    if (!take.asset_root.empty() && !std::filesystem::is_directory(take.asset_root, failed)) {
         throw UsageError(fmt::format("there is no folder '{}'", take.asset_root.string()), "--asset-root",
                          "name a folder in which the files lie that the scene names");
     }

@@ -68,8 +68,8 @@ void add_variant_option(CLI::App& app, TakeText& text);
 
 /// Gives the options of `app` that the command line leaves open the values of a job file: keys of the
 /// section named like the command, and those before any section. A key is an option's long name;
-/// `input` is the SCENE file; it and `asset-root` are found beside the job file. Whatever is written goes where it would without
-/// the file: relative to the current folder.
+/// `input` is the SCENE file; it and `asset-root` are found beside the job file. Whatever is written goes
+/// where it would without the file: relative to the current folder.
 ///
 /// @throws sequences::UsageError for unknown keys and values that do not fit, with file and line
 void apply_job_file(const std::filesystem::path& file, CLI::App& app);

@@ -65,7 +65,7 @@ std::size_t count_of_targets(const Place& root, std::size_t mesh) {
     return targets ? targets->size() : 0;
 }
 
-std::size_t count_of_weights(const Place& root, std::size_t node, const Place& target) {
+std::size_t count_of_node_weights(const Place& root, std::size_t node, const Place& target) {
     const auto mesh = root.at("nodes", node).find_index("mesh");
     const std::size_t count = mesh ? count_of_targets(root, *mesh) : 0;
     if (count == 0)
@@ -79,22 +79,6 @@ std::size_t count_of_mesh_weights(const Place& root, std::size_t mesh, const Pla
     if (count == 0)
         target.refuse(fmt::format("morph weights are animated, but mesh {} has no morph targets", mesh));
     return count;
-}
-
-/// A property of a node; nothing for paths that are not known.
-std::optional<ChannelTarget> node_target(std::string_view path, std::size_t node, const Place& target,
-                                         const Place& root) {
-    const auto at = [&](ChannelPath kind, std::string_view element) {
-        return ChannelTarget{.path = kind, .object = static_cast<Index>(node), .element = element};
-    };
-    if (path == "translation") return at(ChannelPath::translation, "VEC3");
-    if (path == "rotation") return at(ChannelPath::rotation, "VEC4");
-    if (path == "scale") return at(ChannelPath::scale, "VEC3");
-    if (path != "weights") return {};
-
-    ChannelTarget weights = at(ChannelPath::weights, "SCALAR");
-    weights.elements_per_key = count_of_weights(root, node, target);
-    return weights;
 }
 
 /// "weights" or "weights/1" of a node or a mesh that has `count` of them.
@@ -114,6 +98,20 @@ ChannelTarget weights_target(const Numbered& pointed, std::size_t count, const P
     return found;
 }
 
+/// A property of a node; nothing for paths that are not known.
+std::optional<ChannelTarget> node_target(std::string_view path, std::size_t node, const Place& target,
+                                         const Place& root) {
+    const auto at = [&](ChannelPath kind, std::string_view element) {
+        return ChannelTarget{.path = kind, .object = static_cast<Index>(node), .element = element};
+    };
+    if (path == "translation") return at(ChannelPath::translation, "VEC3");
+    if (path == "rotation") return at(ChannelPath::rotation, "VEC4");
+    if (path == "scale") return at(ChannelPath::scale, "VEC3");
+    if (path != "weights") return {};
+    return weights_target({.number = node, .property = path}, count_of_node_weights(root, node, target),
+                          target);
+}
+
 bool is_about_weights(std::string_view property) {
     return property == "weights" || property.starts_with(weights_prefix);
 }
@@ -126,7 +124,7 @@ std::optional<ChannelTarget> pointed_node_target(const Numbered& pointed, const 
                              .object = static_cast<Index>(pointed.number),
                              .element = "SCALAR"};
     if (is_about_weights(pointed.property))
-        return weights_target(pointed, count_of_weights(root, pointed.number, target), target);
+        return weights_target(pointed, count_of_node_weights(root, pointed.number, target), target);
     return node_target(pointed.property, pointed.number, target, root);
 }
 

@@ -90,11 +90,7 @@ std::span<const std::byte> Document::read_buffer(const Place& place, std::size_t
             owned_.push_back(std::move(embedded->bytes));
         } else {
             auto beside = read_file(uri->text(), *uri);
-            if (!beside.refusal.empty() && !may_be_missing)
-                uri->refuse(
-                    beside.refusal,
-                    "put the buffer beside the model and name it by a relative URI, or allow the folder that "
-                    "it lies in with --asset-root");
+            if (!beside.refusal.empty() && !may_be_missing) uri->refuse(beside.refusal, beside.remedy);
             owned_.push_back(std::move(beside.bytes));
         }
         bytes = owned_.back();
@@ -130,9 +126,10 @@ Index Document::add_accessor(Accessor accessor, std::vector<std::byte> bytes) {
 
 FileBytes Document::read_file(std::string_view uri, const Place& place) {
     const UriTarget target = resolve_uri(uri, folder_, asset_root_);
-    if (!target.refusal.empty()) return {.refusal = target.refusal};
+    if (!target.refusal.empty()) return {.refusal = target.refusal, .remedy = target.remedy};
 
-    const FileBytes unreadable{.refusal = fmt::format("the file \"{}\" cannot be read", uri)};
+    const FileBytes unreadable{.refusal = fmt::format("the file \"{}\" cannot be read", uri),
+                               .remedy = "check that it is there and may be read"};
     std::error_code failed;
     if (!std::filesystem::is_regular_file(target.path, failed)) return unreadable;
     const std::size_t size = std::filesystem::file_size(target.path, failed);

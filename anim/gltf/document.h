@@ -22,6 +22,7 @@ namespace gridreel::anim::gltf {
 struct FileBytes {
     std::vector<std::byte> bytes{};
     std::string refusal{};  ///< empty: `bytes` are the file's
+    std::string remedy{};
 };
 
 /// Everything the readers share while a file is turned into a scene. Not copied: `root()` refers to it.
@@ -29,7 +30,7 @@ class Document {
 public:
     /// Parses the JSON; nothing is checked yet.
     ///
-    /// @param bytes  the whole file; must outlive this
+    /// @param bytes       the whole file; must outlive this
     /// @param path        its name, for messages and for finding the files beside it
     /// @param asset_root  as `load` takes it
     Document(std::span<const std::byte> bytes, const std::filesystem::path& path,

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <tuple>
 
@@ -70,24 +71,39 @@ Sampler read_sampler(Document& document, const Place& place) {
 struct Channels {
     std::map<std::size_t, Index> kept;  ///< the file's sampler -> ours
     std::set<std::tuple<bool, ChannelPath, Index, Index>> driven;
-    std::map<Index, std::vector<Index>> weighted_by;  ///< a mesh -> those nodes
+    std::set<Index> turning;  ///< samplers whose rotations have been checked
     std::set<std::string> ignored, repeated, blended_flags;
+
+    /// Notes what is driven; false when it, or a part of it, was driven before.
+    bool drives(const ChannelTarget& target) {
+        // All weights of a node and one of them are no two properties.
+        const auto is_driven = [&](ChannelPath path) {
+            const auto found = driven.lower_bound({target.of_mesh, path, target.object, 0});
+            return found != driven.end() && std::get<0>(*found) == target.of_mesh &&
+                   std::get<1>(*found) == path && std::get<2>(*found) == target.object;
+        };
+        const bool overlaps = (target.path == ChannelPath::weight && is_driven(ChannelPath::weights)) ||
+                              (target.path == ChannelPath::weights && is_driven(ChannelPath::weight));
+        return driven.emplace(target.of_mesh, target.path, target.object, target.property).second &&
+               !overlaps;
+    }
 };
 
-/// The nodes that have a mesh and state no weights of their own (section 3.7.4).
-std::vector<Index> nodes_weighted_by(Document& document, Index mesh) {
-    std::vector<Index> nodes;
+/// The nodes that take their weights from each mesh, because they state none of their own (section 3.7.4).
+std::map<Index, std::vector<Index>> nodes_by_mesh(const Document& document) {
+    std::map<Index, std::vector<Index>> nodes;
     const auto places = document.all("nodes");
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const Place& node = places[i];
-        const auto weights = node.find("weights");
+        const auto mesh = places[i].find_index("mesh");
+        const auto weights = places[i].find("weights");
         const bool has_own = weights && weights->size() > 0;
-        if (node.find_index("mesh") == mesh && !has_own) nodes.push_back(static_cast<Index>(i));
+        if (mesh && !has_own) nodes[static_cast<Index>(*mesh)].push_back(static_cast<Index>(i));
     }
     return nodes;
 }
 
-void read_channel(Document& document, const Place& channel, const Place& samplers, Channels& channels,
+void read_channel(Document& document, const Place& channel, const Place& samplers,
+                  const std::map<Index, std::vector<Index>>& weighted_by, Channels& channels,
                   Animation& animation) {
     const Place place = channel.at("target");
     const ResolvedTarget resolved = resolve_target(place, document.root());
@@ -99,7 +115,7 @@ void read_channel(Document& document, const Place& channel, const Place& sampler
     const auto [entry, is_new] =
         channels.kept.emplace(sampler, static_cast<Index>(animation.samplers.size()));
     if (is_new) animation.samplers.push_back(read_sampler(document, samplers[sampler]));
-    if (target.path == ChannelPath::rotation)
+    if (target.path == ChannelPath::rotation && channels.turning.insert(entry->second).second)
         check_rotations(animation.samplers[entry->second], samplers[sampler].at("output"));
     Channel driving{.object = target.object,
                     .path = target.path,
@@ -107,10 +123,10 @@ void read_channel(Document& document, const Place& channel, const Place& sampler
                     .sampler = entry->second,
                     .of_mesh = target.of_mesh};
     if (target.of_mesh) {
-        auto [nodes, is_first] = channels.weighted_by.try_emplace(target.object);
-        if (is_first) nodes->second = nodes_weighted_by(document, target.object);
-        document.budget().spend(nodes->second.size() * sizeof(Channel), place);
-        for (const Index node : nodes->second) {
+        const auto found = weighted_by.find(target.object);
+        const auto nodes = found == weighted_by.end() ? std::span<const Index>() : std::span(found->second);
+        document.budget().spend(nodes.size() * sizeof(Channel), place);
+        for (const Index node : nodes) {
             driving.object = node;
             animation.channels.push_back(driving);
         }
@@ -118,20 +134,20 @@ void read_channel(Document& document, const Place& channel, const Place& sampler
         animation.channels.push_back(driving);
     }
 
-    if (!channels.driven.emplace(target.of_mesh, target.path, target.object, target.property).second)
-        channels.repeated.insert(target_name(place));
+    if (!channels.drives(target)) channels.repeated.insert(target_name(place));
     if (target.path == ChannelPath::visibility &&
         animation.samplers[entry->second].interpolation != Interpolation::step)
         channels.blended_flags.insert(target_name(place));
 }
 
-Animation read_animation(Document& document, const Place& place) {
+Animation read_animation(Document& document, const Place& place,
+                         const std::map<Index, std::vector<Index>>& weighted_by) {
     Animation animation;
     animation.name = place.text_or("name", "");
     Channels channels;
     const Place list = place.at("channels");
     for (std::size_t i = 0; i < list.size(); ++i)
-        read_channel(document, list[i], place.at("samplers"), channels, animation);
+        read_channel(document, list[i], place.at("samplers"), weighted_by, channels, animation);
 
     if (!channels.ignored.empty())
         document.warn(place,
@@ -149,9 +165,10 @@ Animation read_animation(Document& document, const Place& place) {
 }  // namespace
 
 std::vector<Animation> read_animations(Document& document) {
+    const auto weighted_by = nodes_by_mesh(document);
     std::vector<Animation> animations;
     for (const Place& place : document.all("animations"))
-        animations.push_back(read_animation(document, place));
+        animations.push_back(read_animation(document, place, weighted_by));
     return animations;
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 Image read_image(Document& document, const Place& place, std::size_t number) {
     Image image{.name = place.text_or("name", ""), .mime_type = place.text_or("mimeType", ""), .encoded = {}};
-    std::string problem = "there are no bytes";
+    std::string problem = "there are no bytes", remedy = "export the file again";
     if (const auto uri = place.find("uri")) {
         if (auto embedded = decode_data_uri(uri->text(), *uri)) {
             image.encoded = std::move(embedded->bytes);
@@ -18,7 +18,10 @@ Image read_image(Document& document, const Place& place, std::size_t number) {
             if (image.name.empty()) image.name = uri->text();
             auto file = document.read_file(uri->text(), *uri);
             image.encoded = std::move(file.bytes);
-            if (!file.refusal.empty()) problem = file.refusal;
+            if (!file.refusal.empty()) {
+                problem = file.refusal;
+                remedy = file.remedy;
+            }
         }
     } else if (const auto view = place.find("bufferView")) {
         const auto bytes = document.view(view->index());
@@ -28,11 +31,8 @@ Image read_image(Document& document, const Place& place, std::size_t number) {
 
     if (image.name.empty()) image.name = fmt::format("image {}", number);
     if (image.encoded.empty())
-        document.warn(
-            place,
-            fmt::format("the image \"{}\" is left out: {}; put it beside the model or below its folder, or "
-                        "allow the folder that it lies in with --asset-root",
-                        image.name, problem));
+        document.warn(place,
+                      fmt::format("the image \"{}\" is left out: {}; {}", image.name, problem, remedy));
     return image;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -19,6 +20,20 @@ struct Look {
     bool (*shows)(const Material&) = [](const Material&) { return true; };
     std::string_view fate = "it is not drawn yet";
 };
+
+/// Whether a value that pointers drive can switch a look on: a roughness, say, cannot.
+bool is_switch(std::string_view property) {
+    constexpr std::array<std::string_view, 9> switches{"scale",
+                                                       "strength",
+                                                       "ior",
+                                                       "specularFactor",
+                                                       "specularColorFactor",
+                                                       "clearcoatFactor",
+                                                       "sheenColorFactor",
+                                                       "transmissionFactor",
+                                                       "thicknessFactor"};
+    return std::find(switches.begin(), switches.end(), property) != switches.end();
+}
 
 constexpr std::array looks{
     Look{"normalTexture", "a normal map", [](const Material& m) { return m.normal_scale != 0.0f; }},
@@ -53,14 +68,12 @@ std::optional<Place> find_look(const Place& material, std::string_view place) {
     return is_extension(place) ? material.find_extension(place) : material.find(place);
 }
 
-/// Whether a pointer drives a value of the look.
-bool belongs_to(std::string_view pointer, std::string_view place) {
+/// Whether a pointer drives what switches the look on.
+bool switches(std::string_view pointer, std::string_view place) {
     constexpr std::string_view extensions = "extensions/";
-    if (is_extension(place)) {
-        if (!pointer.starts_with(extensions)) return false;
-        pointer.remove_prefix(extensions.size());
-    }
-    return pointer.substr(0, pointer.find('/')) == place;
+    if (is_extension(place) && pointer.starts_with(extensions)) pointer.remove_prefix(extensions.size());
+    return pointer.starts_with(place) && pointer.substr(place.size()).starts_with('/') &&
+           is_switch(pointer.substr(place.size() + 1));
 }
 
 /// The materials whose look an animation drives, one flag each.
@@ -69,7 +82,7 @@ std::vector<bool> animated(const Scene& scene, const Look& look) {
     for (const Animation& animation : scene.animations)
         for (const Channel& channel : animation.channels)
             if (channel.path == ChannelPath::material &&
-                belongs_to(material_properties()[channel.property].pointer, look.place))
+                switches(material_properties()[channel.property].pointer, look.place))
                 is_animated[channel.object] = true;
     return is_animated;
 }

@@ -8,8 +8,8 @@ namespace gridreel::anim::gltf {
 
 /// Warns of looks that are not drawn: once for each kind, at the first material that has it, with the number
 /// of materials that do. A look that is switched off, as a clearcoat of factor 0 is, does not count unless an
-/// animation drives it; nor does any but the base colour on an unlit material. The shape must have been
-/// validated.
+/// animation drives that factor; nor does any but the base colour on an unlit material. The shape must have
+/// been validated.
 ///
 /// @param scene  with its materials and animations
 void warn_of_undrawn_looks(Document& document, const Scene& scene);

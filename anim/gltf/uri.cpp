@@ -77,6 +77,10 @@ bool has_scheme(std::string_view uri) {
                        [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '-' || c == '.'; });
 }
 
+bool has_drive(std::string_view path) {
+    return path.size() >= 2 && std::isalpha(static_cast<unsigned char>(path[0])) && path[1] == ':';
+}
+
 bool is_inside(const std::filesystem::path& path, const std::filesystem::path& folder) {
     const auto [folder_end, _] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
     return folder_end == folder.end();
@@ -100,7 +104,10 @@ std::optional<DataUri> decode_data_uri(std::string_view uri, const Place& place)
 
 UriTarget resolve_uri(std::string_view uri, const std::filesystem::path& folder,
                       const std::filesystem::path& asset_root) {
-    const auto refused = [](std::string why) { return UriTarget{.refusal = std::move(why)}; };
+    const auto refused = [](std::string why) {
+        return UriTarget{.refusal = std::move(why),
+                         .remedy = "put the file beside the model and name it by a relative URI"};
+    };
     if (uri.empty()) return refused("the URI is empty");
     if (has_scheme(uri)) return refused("the URI has a scheme; only relative URIs and data URIs are read");
 
@@ -109,22 +116,26 @@ UriTarget resolve_uri(std::string_view uri, const std::filesystem::path& folder,
     if (relative->find('\0') != relative->npos) return refused("the URI holds a zero byte");
     // Exporters on Windows write \ between segments.
     std::replace(relative->begin(), relative->end(), '\\', '/');
-    if (relative->front() == '/' || has_scheme(*relative)) return refused("the URI is absolute");
+    if (relative->front() == '/' || has_drive(*relative)) return refused("the URI is absolute");
 
-    // Symbolic links are followed first: they may not lead out either.
+    // Dots first, as URIs have it: links below a folder that is not there would not be followed.
     std::error_code failed;
     const auto home = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, failed);
     if (failed) return refused(fmt::format("the model's folder cannot be found ({})", failed.message()));
-    const auto target = std::filesystem::weakly_canonical(home / *relative, failed);
+    const auto target = std::filesystem::weakly_canonical((home / *relative).lexically_normal(), failed);
     if (failed) return refused(fmt::format("the URI cannot be followed ({})", failed.message()));
     if (is_inside(target, home)) return {.path = target};
+
     if (!asset_root.empty()) {
         const auto root = std::filesystem::canonical(asset_root, failed);
         if (failed) return refused(fmt::format("the asset root cannot be found ({})", failed.message()));
         if (is_inside(target, root)) return {.path = target};
-        return refused("the URI leads out of the model's folder and of the asset root");
     }
-    return refused("the URI leads out of the model's folder");
+    return {.refusal = fmt::format("the URI leads out of the model's folder{}",
+                                   asset_root.empty() ? "" : " and of the asset root"),
+            .remedy =
+                "put the file beside the model or below its folder, or allow the folder that it lies in "
+                "with --asset-root"};
 }
 
 }  // namespace gridreel::anim::gltf

@@ -27,6 +27,7 @@ struct DataUri {
 struct UriTarget {
     std::filesystem::path path{};
     std::string refusal{};  ///< empty: `path` may be read
+    std::string remedy{};
 };
 
 /// Follows a relative, percent-encoded URI. Schemes, absolute paths and paths that lead elsewhere than into

@@ -64,15 +64,18 @@ void check_text(const Place& place, const Property& rule) {
     }
 }
 
+/// Its properties. They are looked up one after another, and nothing has a tenth as many.
+const Json::Object& entries_of(const Place& object) {
+    constexpr std::size_t most_entries = 1024;
+    const auto& entries = std::get<Json::Object>(object.json().value);
+    if (entries.size() > most_entries)
+        object.refuse(fmt::format("this has {} entries; at most {} are read", entries.size(), most_entries));
+    return entries;
+}
+
 void check_index_map(const Place& place, const Property& rule, const Place& root) {
     if (!is_object(place)) place.refuse("this must be an object");
-    const auto& entries = std::get<Json::Object>(place.json().value);
-    // Names are looked up one after another, and no vertex has a tenth as many attributes.
-    constexpr std::size_t most_entries = 1024;
-    if (entries.size() > most_entries)
-        place.refuse(fmt::format("\"{}\" has {} entries; at most {} are read", rule.name, entries.size(),
-                                 most_entries));
-    for (const auto& [name, value] : entries) check_index(place.at(name), rule.into, root);
+    for (const auto& [name, value] : entries_of(place)) check_index(place.at(name), rule.into, root);
 }
 
 void check_object(const Place& place, const Shape& shape, const Place& root);
@@ -120,6 +123,7 @@ void check_property(const Place& place, const Property& rule, const Place& root)
 
 void check_object(const Place& place, const Shape& shape, const Place& root) {
     if (!is_object(place)) place.refuse("this must be an object");
+    static_cast<void>(entries_of(place));
     if (const auto name = place.find("name")) static_cast<void>(name->text());
     for (const Property& rule : shape.properties) {
         if (const auto property = place.find(rule.name))

@@ -209,7 +209,7 @@ TEST_CASE("values that leave their range come back to it", "[load][pointer]") {
     CHECK(posed(pointing("/cameras/0/perspective/yfov", {9, 9}, "SCALAR"), 1.0).cameras[0].fov_y_rad <
           3.1416);
     CHECK(posed(pointing("/cameras/0/perspective/znear", {-9, -9}, "SCALAR"), 1.0).cameras[0].near_m > 0.0);
-    CHECK(posed(pointing("/cameras/1/orthographic/xmag", {-1, 1}, "SCALAR"), 1.0).cameras[1].x_mag > 0.0);
+    CHECK(posed(pointing("/cameras/1/orthographic/ymag", {-1, 1}, "SCALAR"), 1.0).cameras[1].y_mag > 0.0);
     CHECK(posed(pointing("/extensions/KHR_lights_punctual/lights/0/intensity", {-1, -1}, "SCALAR"), 1.0)
               .lights[0]
               .intensity == 0.0f);
@@ -314,6 +314,20 @@ TEST_CASE("of a property that one animation points at twice the last channel cou
 
     CHECK(posed(file, 1.0).world[0][3] == glm::dvec4(1, 1, 1, 1));
     CHECK_THAT(test::warning_at(file.load(), "/animations/0"), Contains("/nodes/0/translation"));
+}
+
+TEST_CASE("a list of weights and one of them are the same property", "[load][pointer]") {
+    for (const bool list_first : {true, false}) {
+        auto file = pointing("/nodes/0/weights", {0, 0, 1, 3}, "SCALAR");
+        json& animation = file.json["animations"][0];
+        const auto input = file.add_scalars({0}), output = file.add_scalars({5});
+        animation["samplers"].push_back({{"input", input}, {"output", output}});
+        json& channels = animation["channels"];
+        channels.insert(list_first ? channels.end() : channels.begin(), channel_to("/nodes/0/weights/1", 1));
+        const std::string last = list_first ? "/nodes/0/weights/1" : "/nodes/0/weights";
+        CHECK_THAT(test::warning_at(file.load(), "/animations/0"),
+                   Contains("animated more than once") && Catch::Matchers::EndsWith(": " + last));
+    }
 }
 
 TEST_CASE("a sampler that colours and turns is checked for turning", "[load][pointer]") {

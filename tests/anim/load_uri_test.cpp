@@ -24,6 +24,8 @@ TEST_CASE("relative URIs are percent-decoded", "[load]") {
     const test::TemporaryFolder folder;
     folder.write("models/sub/a b%c\xc3\xa9.bin", buffer_bytes());
     CHECK_NOTHROW(anim::load(model_with_buffer_at(folder, "sub/a%20b%25c%C3%a9.bin")));
+    folder.write("models/part:1.bin", buffer_bytes());
+    CHECK_NOTHROW(anim::load(model_with_buffer_at(folder, "part%3A1.bin")));
     CHECK_NOTHROW(anim::load(model_with_buffer_at(folder, "./sub/../sub/a b%25c\xc3\xa9.bin")));
     CHECK_NOTHROW(anim::load(model_with_buffer_at(folder, "sub\\a%20b%25c\xc3\xa9.bin")));
     CHECK_NOTHROW(anim::load(model_with_buffer_at(folder, "../models/sub/a b%25c\xc3\xa9.bin")));
@@ -56,6 +58,9 @@ TEST_CASE("symbolic links do not lead out of the model's folder", "[load]") {
 
     CHECK_THROWS_WITH(anim::load(model_with_buffer_at(folder, "out.bin")),
                       Contains("leads out of the model's folder"));
+    // Below a folder that is not there, too.
+    CHECK_THROWS_WITH(anim::load(model_with_buffer_at(folder, "missing/../out.bin")),
+                      Contains("leads out of the model's folder"));
     CHECK_NOTHROW(anim::load(model_with_buffer_at(folder, "in.bin")));
 }
 
@@ -76,7 +81,7 @@ TEST_CASE("URIs may lead into the asset root, and into nothing beside it", "[loa
     CHECK_NOTHROW(load_with("own.bin", shared));
     // Where a URI starts does not change.
     CHECK_THROWS_WITH(load_with("part.bin", shared), Contains("cannot be read"));
-    for (const auto* const uri : {"../secret.bin", "../shared/out.bin", "../shared/../secret.bin"}) {
+    for (const auto* const uri : {"../secret.bin", "../shared/out.bin", "missing/../../shared/out.bin"}) {
         INFO(uri);
         CHECK_THROWS_WITH(load_with(uri, shared),
                           Contains("/buffers/0/uri: the URI leads out of the model's folder "
