@@ -54,9 +54,9 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::filesystem::path& 
     warn_of_missing_texcoords(document, scene);
     scene.animations = read_animations(document);
     warn_of_undrawn_looks(document, scene);
-    scene.images = read_images(document);
+    scene.images = read_images(document, scene.textures);
     check_joints_exist(document, scene);
-    scene.warnings = std::move(document.warnings());
+    scene.warnings = document.merged_warnings();
     return scene;
 }
 

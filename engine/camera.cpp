@@ -10,12 +10,12 @@ namespace gridreel::engine {
 namespace {
 
 /// @throws Error when `axis` has no direction
-glm::dvec3 direction_of(const glm::dvec3& axis, const anim::Camera& camera) {
+glm::dvec3 direction_of(const glm::dvec3& axis, std::string_view node) {
     // Scaled first, so that tiny and huge matrices keep their direction.
     const double largest = glm::max(std::abs(axis.x), glm::max(std::abs(axis.y), std::abs(axis.z)));
     if (!(largest > 0.0) || !std::isfinite(largest)) {
-        throw Error("the camera's node has no orientation: its matrix is singular or not finite",
-                    "camera \"" + camera.name + "\"", "give the node a scale other than zero");
+        throw Error("the camera's node has no orientation: its matrix is singular or not finite", node,
+                    "give the node a scale other than zero");
     }
     return glm::normalize(axis / largest);
 }
@@ -56,16 +56,17 @@ double View::pixel_width(double depth_m) const {
     return kind == anim::Camera::Kind::perspective ? width * depth_m : width;
 }
 
-View view_of(const anim::Camera& camera, const glm::dmat4& world, std::int32_t width, std::int32_t height) {
+View view_of(const anim::Camera& camera, const glm::dmat4& world, std::int32_t width, std::int32_t height,
+             std::string_view node) {
     View view{.kind = camera.kind,
               .eye = glm::dvec3(world[3]),
-              .forward = direction_of(-glm::dvec3(world[2]), camera),
+              .forward = direction_of(-glm::dvec3(world[2]), node),
               .half_height = camera.kind == anim::Camera::Kind::perspective ? std::tan(0.5 * camera.fov_y_rad)
                                                                             : std::abs(camera.y_mag),
               .near_m = camera.near_m,
               .far_m = camera.far_m,
               .pixels_down = double(height)};
-    view.right = direction_of(glm::cross(view.forward, direction_of(glm::dvec3(world[1]), camera)), camera);
+    view.right = direction_of(glm::cross(view.forward, direction_of(glm::dvec3(world[1]), node)), node);
     view.up = glm::cross(view.right, view.forward);
     view.half_width = view.half_height * width / height;
     return view;

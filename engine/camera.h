@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <string_view>
 
 namespace gridreel::engine {
 
@@ -46,8 +47,9 @@ struct View {
 ///
 /// @param world          the camera node's world matrix
 /// @param width, height  of the picture, pixels
+/// @param node           what errors call the node
 /// @throws Error when the matrix has no direction left (a scale of zero)
 [[nodiscard]] View view_of(const anim::Camera& camera, const glm::dmat4& world, std::int32_t width,
-                           std::int32_t height);
+                           std::int32_t height, std::string_view node = {});
 
 }  // namespace gridreel::engine

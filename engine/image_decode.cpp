@@ -12,6 +12,13 @@
 namespace gridreel::engine {
 namespace {
 
+/// What the reader complains of, on one line.
+std::string complaint_of(const OIIO::ImageInput& input) {
+    std::string text = input.geterror();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
 constexpr int largest_side = 16384;
 
 std::string place_of(const anim::Image& image) {
@@ -69,7 +76,7 @@ DecodedImage decode(const anim::Image& image) {
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
     if (!input->open(image.name, spec, wishes)) {
-        throw Error(fmt::format("the image cannot be read ({})", input->geterror()), place_of(image),
+        throw Error(fmt::format("the image cannot be read ({})", complaint_of(*input)), place_of(image),
                     "export the scene again");
     }
     if (spec.width < 1 || spec.height < 1 || spec.width > largest_side || spec.height > largest_side) {
@@ -81,7 +88,7 @@ DecodedImage decode(const anim::Image& image) {
     std::vector<std::uint16_t> values(static_cast<std::size_t>(spec.width) *
                                       static_cast<std::size_t>(spec.height) * channels);
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT16, values.data())) {
-        throw Error(fmt::format("the image is damaged ({})", input->geterror()), place_of(image),
+        throw Error(fmt::format("the image is damaged ({})", complaint_of(*input)), place_of(image),
                     "export the scene again");
     }
     return {.width = spec.width, .height = spec.height, .texels = to_rgba(values, channels)};

@@ -5,6 +5,8 @@
 #include "engine/fitting_view.h"
 #include "engine/pixel_order.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +32,9 @@ RenderCamera::RenderCamera(const anim::Scene& scene, const anim::Clip& clip, std
 
 View RenderCamera::view(const anim::Pose& pose) const {
     if (node_) {
-        return view_of(pose.cameras[*scene_.nodes[*node_].camera], pose.world[*node_], width_, height_);
+        const anim::Node& node = scene_.nodes[*node_];
+        return view_of(pose.cameras[*node.camera], pose.world[*node_], width_, height_,
+                       fmt::format("{}: /nodes/{} \"{}\"", scene_.name, *node_, node.name));
     }
     // A scene without triangles is seen as if it were a point at the origin.
     if (clip_box_->empty()) return fitting_view(glm::dvec3(0.0), glm::dvec3(0.0), width_, height_);

@@ -4,7 +4,6 @@
 #include "anim/error.h"
 #include "engine/image_decode.h"
 
-#include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <cstddef>
@@ -39,10 +38,7 @@ Textures::Textures(const anim::Scene& scene) : scene_(scene) {
     std::vector<std::string> problems(wanted.size());
     tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
         const auto& [image, encoding] = wanted[i];
-        if (scene.images[image].encoded.empty()) {
-            problems[i] = fmt::format("image \"{}\" could not be read", scene.images[image].name);
-            return;
-        }
+        if (scene.images[image].encoded.empty()) return;
         try {
             images_[static_cast<std::size_t>(encoding)][image] =
                 std::make_unique<Pyramid>(decode(scene.images[image]), encoding);

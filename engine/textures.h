@@ -26,7 +26,8 @@ public:
     [[nodiscard]] glm::vec4 sample(const std::optional<anim::TextureRef>& ref, Encoding encoding,
                                    const glm::vec2& uv, float footprint) const;
 
-    /// Why images that materials refer to have no pixels: a sentence for each, in the file's order.
+    /// Why images that materials refer to have no pixels: a sentence for each, in the file's order. Those
+    /// without bytes are not listed: `anim::load` has warned of them.
     [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
 
 private:

@@ -36,7 +36,7 @@ BakeResult bake(const BakeJob& job, const BakeReports& reports, const std::atomi
     check_bake(job);
     const anim::Scene scene = load_scene(job.take).scene;
     for (const anim::Warning& warning : scene.warnings) {
-        reports.warning(fmt::format("{}: {}", warning.where, warning.text));
+        reports.warning(describe(warning));
     }
     const anim::Clip clip = choose_clip(scene, job.take);
     const std::vector<Frame> frames = choose_frames(job.take, scene, clip, job.output);

@@ -112,8 +112,7 @@ JobResult run_job(const Job& job, JobObserver& observer, const std::atomic<bool>
 
     // Everything that can be refused is refused before the first frame.
     const anim::Scene scene = load_scene(job.take).scene;
-    for (const anim::Warning& warning : scene.warnings)
-        observer.warning(fmt::format("{}: {}", warning.where, warning.text));
+    for (const anim::Warning& warning : scene.warnings) observer.warning(describe(warning));
     const anim::Clip clip = choose_clip(scene, job.take);
     const std::vector<Frame> frames = choose_frames(job.take, scene, clip, job.output);
     check_camera(scene, clip, job.render.camera);

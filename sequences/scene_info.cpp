@@ -1,6 +1,10 @@
 #include "sequences/scene_info.h"
 
 #include "anim/frame_geometry.h"
+#include "anim/pose.h"
+#include "engine/notes.h"
+#include "engine/shot.h"
+#include "engine/textures.h"
 #include "sequences/fingerprint.h"
 #include "sequences/thread_count.h"
 
@@ -53,6 +57,17 @@ void list_nodes(const anim::Scene& scene, const anim::Clip& clip, SceneInfo& inf
     }
 }
 
+/// What a render would say, or refuse, at its first frame.
+std::vector<std::string> notes_of(const anim::Scene& scene, const anim::Clip& clip,
+                                  const anim::FrameGeometry& geometry,
+                                  const engine::RenderSettings& settings) {
+    const engine::Shot shot(scene, clip, settings);
+    (void)shot.camera().view(anim::pose(scene, clip, 0.0));
+    std::vector<std::string> notes = engine::notes_on_looks(scene, geometry, engine::Textures(scene));
+    notes.insert(notes.end(), shot.notes().begin(), shot.notes().end());
+    return notes;
+}
+
 }  // namespace
 
 SceneInfo inspect(const Take& take) {
@@ -93,6 +108,7 @@ SceneInfo inspect(const Take& take) {
     list_nodes(scene, clip, info);
     const anim::FrameGeometry geometry = anim::lay_out(scene, clip);
     count_triangles(geometry, info);
+    info.notes = notes_of(scene, clip, geometry, info.settings);
     info.threads = allowed_threads();
     info.memory = estimate_memory(scene, geometry, info.bounds, info.settings, info.threads);
     return info;

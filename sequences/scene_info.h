@@ -52,6 +52,7 @@ struct SceneInfo {
     std::vector<std::string> extensions_required;
     std::vector<std::string> extensions_supported;  ///< of those used
     std::vector<anim::Warning> warnings;
+    std::vector<std::string> notes;   ///< what a render would say besides
     engine::RenderSettings settings;  ///< that `memory` is for: the defaults
     int threads = 1;                  ///< likewise: all that this process may use
     MemoryEstimate memory;

@@ -18,6 +18,11 @@ std::string label(const std::string& name, std::size_t number) {
     return name.empty() ? fmt::format("(unnamed {})", number) : name;
 }
 
+/// "1 node", "2 nodes".
+std::string count(std::size_t number, std::string_view thing, std::string_view plural = "s") {
+    return fmt::format("{} {}{}", number, thing, number == 1 ? "" : plural);
+}
+
 /// One labelled entry of the page.
 template <class... Args>
 void line(std::string& page, std::string_view title, fmt::format_string<Args...> format, Args&&... args) {
@@ -31,6 +36,26 @@ std::string names(const std::vector<std::string>& list) {
     std::vector<std::string> labels;
     for (std::size_t i = 0; i < list.size(); ++i) labels.push_back(label(list[i], i));
     return fmt::format("{}", fmt::join(labels, ", "));
+}
+
+/// As many of the names as a few lines hold, and how many more there are.
+void list_lines(std::string& page, std::string_view title, const std::vector<std::string>& list) {
+    constexpr std::size_t widest = 88, most_lines = 4;
+    if (list.empty()) line(page, title, "none");
+    std::size_t lines = 0;
+    for (std::size_t i = 0; i < list.size(); ++lines) {
+        const std::string_view head = lines == 0 ? title : "";
+        if (lines == most_lines) {
+            line(page, head, "and {} more", list.size() - i);
+            return;
+        }
+        std::string text;
+        do {
+            text += label(list[i], i) + (i + 1 < list.size() ? ", " : "");
+            ++i;
+        } while (i < list.size() && text.size() + label(list[i], i).size() < widest);
+        line(page, head, "{}", std::string_view(text).substr(0, text.find_last_not_of(' ') + 1));
+    }
 }
 
 void placed_lines(std::string& page, std::string_view title, const std::vector<PlacedInfo>& list) {
@@ -112,9 +137,11 @@ std::string to_text(const SceneInfo& info) {
              info.bounds.min.x, info.bounds.min.y, info.bounds.min.z, info.bounds.max.x, info.bounds.max.y,
              info.bounds.max.z);
     }
-    line(page, "contents", "{} nodes, {} meshes, {} skins, {} morph targets, {} textures, {} images",
-         info.nodes, info.meshes, info.skins, info.morph_targets, info.textures, info.images);
-    line(page, "materials", "{}", names(info.materials));
+    line(page, "contents", "{}, {}, {}, {}, {}, {}", count(info.nodes, "node"),
+         count(info.meshes, "mesh", "es"), count(info.skins, "skin"),
+         count(info.morph_targets, "morph target"), count(info.textures, "texture"),
+         count(info.images, "image"));
+    list_lines(page, "materials", info.materials);
     for (std::size_t i = 0; i < info.variants.size(); ++i) {
         line(page, i == 0 ? "variants" : "", "{} {}{}", i, label(info.variants[i], i),
              info.variant == i ? ", shown" : "");
@@ -125,8 +152,8 @@ std::string to_text(const SceneInfo& info) {
         line(page, "", "supported {}", names(info.extensions_supported));
     }
     memory_line(page, info);
-    for (const anim::Warning& warning : info.warnings)
-        line(page, "warning", "{}: {}", warning.where, warning.text);
+    for (const anim::Warning& warning : info.warnings) line(page, "warning", "{}", describe(warning));
+    for (const std::string& note : info.notes) line(page, "note", "{}", note);
     return page;
 }
 
@@ -169,7 +196,8 @@ std::string to_json_text(const SceneInfo& info) {
                     {"extensions_required", info.extensions_required},
                     {"extensions_supported", info.extensions_supported},
                     {"memory_estimate", memory_json(info)},
-                    {"warnings", std::move(warnings)}};
+                    {"warnings", std::move(warnings)},
+                    {"notes", info.notes}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

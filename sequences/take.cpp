@@ -94,6 +94,10 @@ void check_numbered(const Take& take, const FramePattern& output) {
     if (take.frames) check_numbered(take.frames->size(), output);
 }
 
+std::string describe(const anim::Warning& warning) {
+    return warning.where.empty() ? warning.text : fmt::format("{}: {}", warning.where, warning.text);
+}
+
 std::string describe(const anim::Scene& scene, const anim::Clip& clip) {
     if (clip.animations.empty()) return "no animation";
     if (clip.animations.size() > 1) {

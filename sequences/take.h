@@ -19,9 +19,9 @@ namespace gridreel::sequences {
 struct Take {
     std::filesystem::path scene_file;
     std::filesystem::path asset_root{};  ///< as `anim::load` takes it
-    std::string animation = "auto";    ///< as `anim::choose_clip` takes it
-    std::optional<anim::Index> scene;  ///< of the file; absent: its default
-    std::string variant;               ///< as `anim::choose_variant` takes it; empty: the materials' own
+    std::string animation = "auto";      ///< as `anim::choose_clip` takes it
+    std::optional<anim::Index> scene;    ///< of the file; absent: its default
+    std::string variant;                 ///< as `anim::choose_variant` takes it; empty: the materials' own
     FrameRate rate;
     std::optional<std::vector<Frame>> frames;  ///< absent: the whole clip, last key included
     bool loop = false;  ///< the whole clip is without its last frame when that repeats the first
@@ -55,6 +55,9 @@ void check_camera(const anim::Scene& scene, const anim::Clip& clip, std::string_
 
 /// The same rule before the file is loaded, as far as the frames are known.
 void check_numbered(const Take& take, const FramePattern& output);
+
+/// Where in the file and what, for people; what concerns the whole file has no place.
+[[nodiscard]] std::string describe(const anim::Warning& warning);
 
 /// What a clip plays, for people: `animation "Walk", 2.5 s`; `all 3 animations, 4 s`; `no animation`.
 [[nodiscard]] std::string describe(const anim::Scene& scene, const anim::Clip& clip);

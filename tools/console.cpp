@@ -24,6 +24,21 @@ bool color_wanted(When when) {
            std::string_view(terminal) != "dumb";
 }
 
+/// Names in files are anyone's: what would steer the terminal is spelled out.
+/// @param kept  control characters that may stay
+std::string printable(std::string_view text, std::string_view kept) {
+    std::string safe;
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        const bool steers = code < 0x20 || code == 0x7f;
+        if (steers && kept.find(c) == kept.npos)
+            safe += fmt::format("\\x{:02x}", code);
+        else
+            safe += c;
+    }
+    return safe;
+}
+
 /// Writes to stderr, best effort: there is nowhere left to report that it failed.
 void say(std::string_view text) noexcept {
     (void)std::fwrite(text.data(), 1, text.size(), stderr);
@@ -47,8 +62,9 @@ std::size_t Console::columns() {
 void Console::message(std::string_view kind, std::string_view color, std::string_view text) {
     if (bar_shown_) say(clear_line);
     bar_shown_ = false;
-    say(color_ ? fmt::format("gridreel: \x1b[{}m{}:\x1b[0m {}\n", color, kind, text)
-               : fmt::format("gridreel: {}: {}\n", kind, text));
+    const std::string safe = printable(text, "");
+    say(color_ ? fmt::format("gridreel: \x1b[{}m{}:\x1b[0m {}\n", color, kind, safe)
+               : fmt::format("gridreel: {}: {}\n", kind, safe));
 }
 
 void Console::error(std::string_view text) {
@@ -70,19 +86,20 @@ void Console::detail(std::string_view text) {
 void Console::result(std::string_view text) {
     if (options_.quiet) return;
     errno = 0;
-    const bool taken = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    const std::string safe = printable(text, "\n");
+    const bool taken = std::fwrite(safe.data(), 1, safe.size(), stdout) == safe.size();
     if (taken && std::fflush(stdout) == 0) return;
     throw sequences::OutputError(fmt::format("cannot write ({})", std::generic_category().message(errno)),
                                  "stdout", "check where the output goes and the free space there");
 }
 
 void Console::line(std::string_view text) {
-    if (!options_.quiet) say(fmt::format("{}\n", text));
+    if (!options_.quiet) say(printable(text, "") + '\n');
 }
 
 void Console::bar(std::string_view text) {
     if (options_.quiet) return;
-    say(fmt::format("{}{}", clear_line, text));
+    say(fmt::format("{}{}", clear_line, printable(text, "")));
     bar_shown_ = true;
 }
 

@@ -20,7 +20,8 @@ struct ConsoleOptions {
     When color = When::automatic;
 };
 
-/// Messages go to stderr, results to stdout. A message that cannot be written is dropped.
+/// Messages go to stderr, results to stdout, without control characters but for the ends of a result's lines.
+/// A message that cannot be written is dropped.
 class Console {
 public:
     explicit Console(const ConsoleOptions& options);
@@ -30,7 +31,7 @@ public:
     void note(std::string_view text);     ///< not when quiet
     void detail(std::string_view text);   ///< only when verbose
 
-    /// On stdout, as it stands; not when quiet.
+    /// On stdout; not when quiet.
     /// @throws sequences::OutputError when it cannot be written
     void result(std::string_view text);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <map>
 
 namespace gridreel::anim::gltf {
 namespace {
@@ -59,7 +60,7 @@ std::vector<std::byte> read_whole_file(const std::filesystem::path& path) {
 
 Document::Document(std::span<const std::byte> bytes, const std::filesystem::path& path,
                    std::filesystem::path asset_root)
-    : file_(path.filename().string()), folder_(path.parent_path()), asset_root_(std::move(asset_root)) {
+    : file_(path.string()), folder_(path.parent_path()), asset_root_(std::move(asset_root)) {
     const Container parts = split_container(bytes, file_);
     json_ = parse_json(parts.json, file_);
     binary_ = parts.binary;
@@ -122,6 +123,24 @@ Index Document::add_accessor(Accessor accessor, std::vector<std::byte> bytes) {
     accessor.sparse = {};
     accessors_.push_back(accessor);
     return static_cast<Index>(accessors_.size() - 1);
+}
+
+std::vector<Warning> Document::merged_warnings() const {
+    std::vector<Warning> merged;
+    std::vector<std::size_t> counts;
+    std::map<std::string_view, std::size_t> known;  // text -> its place in `merged`
+    for (const Warning& warning : warnings_) {
+        const auto [entry, is_new] = known.emplace(warning.text, merged.size());
+        if (is_new) {
+            merged.push_back(warning);
+            counts.push_back(0);
+        } else {
+            ++counts[entry->second];
+        }
+    }
+    for (std::size_t i = 0; i < merged.size(); ++i)
+        if (counts[i] > 0) merged[i].text += fmt::format(" (here and in {} more places)", counts[i]);
+    return merged;
 }
 
 FileBytes Document::read_file(std::string_view uri, const Place& place) {

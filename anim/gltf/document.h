@@ -69,7 +69,8 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> integers(Index accessor, const Place& place);
 
     [[nodiscard]] Budget& budget() { return budget_; }
-    [[nodiscard]] std::vector<Warning>& warnings() { return warnings_; }
+    /// All warnings, once each: where several say the same, at the first place, with their number.
+    [[nodiscard]] std::vector<Warning> merged_warnings() const;
     void warn(const Place& place, std::string text) {
         warnings_.push_back({place.pointer(), std::move(text)});
     }

@@ -105,7 +105,8 @@ void check_extensions(Document& document) {
         if (!extension) {
             document.warn(name, fmt::format("{} is not known; it is ignored", name.text()));
         } else if (extension->treatment == refused) {
-            document.warn(name, fmt::format("{} is not supported; it is ignored", name.text()));
+            document.warn(
+                name, fmt::format("{} is not supported; it is ignored ({})", name.text(), extension->note));
         }
     }
 }

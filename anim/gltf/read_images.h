@@ -4,6 +4,7 @@
 #include "anim/gltf/document.h"
 #include "anim/scene.h"
 
+#include <span>
 #include <vector>
 
 namespace gridreel::anim::gltf {
@@ -12,7 +13,8 @@ namespace gridreel::anim::gltf {
 /// the model may not name because it lies outside its folder, is left out with a warning: the rest can be
 /// shown.
 ///
+/// @param textures  of the document: images that only KHR_texture_basisu names are not fetched
 /// @throws Error for a malformed data URI
-[[nodiscard]] std::vector<Image> read_images(Document& document);
+[[nodiscard]] std::vector<Image> read_images(Document& document, std::span<const Texture> textures);
 
 }  // namespace gridreel::anim::gltf

@@ -67,6 +67,15 @@ std::optional<std::string> percent_decode(std::string_view uri) {
     return text;
 }
 
+std::optional<std::vector<std::byte>> decode_percent(std::string_view uri) {
+    const auto text = percent_decode(uri);
+    if (!text) return {};
+    std::vector<std::byte> bytes(text->size());
+    std::transform(text->begin(), text->end(), bytes.begin(),
+                   [](char c) { return static_cast<std::byte>(c); });
+    return bytes;
+}
+
 /// RFC 3986, section 3.1: a letter, then letters, digits, + - . up to the colon.
 bool has_scheme(std::string_view uri) {
     const auto colon = uri.find(':');
@@ -94,11 +103,13 @@ std::optional<DataUri> decode_data_uri(std::string_view uri, const Place& place)
     uri.remove_prefix(scheme.size());
 
     const auto comma = uri.find(',');
-    const auto head = uri.substr(0, comma);
-    if (comma == uri.npos || !head.ends_with(marker))
-        place.refuse("the data URI is not base64-encoded", "write it as data:TYPE;base64,...");
-    auto bytes = decode_base64(uri.substr(comma + 1));
-    if (!bytes) place.refuse("the data URI is not valid base64");
+    if (comma == uri.npos) place.refuse("the data URI has no comma", "write it as data:TYPE;base64,...");
+    const std::string_view head = uri.substr(0, comma);
+    const bool is_base64 = head.ends_with(marker);
+    auto bytes = is_base64 ? decode_base64(uri.substr(comma + 1)) : decode_percent(uri.substr(comma + 1));
+    if (!bytes)
+        place.refuse(is_base64 ? "the data URI is not valid base64"
+                               : "the data URI has a % that no two hexadecimal digits follow");
     return DataUri{.mime_type = head.substr(0, head.find(';')), .bytes = std::move(*bytes)};
 }
 

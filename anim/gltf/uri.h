@@ -18,9 +18,9 @@ struct DataUri {
     std::vector<std::byte> bytes{};
 };
 
-/// The bytes of a base64 `data:` URI; absent when the URI has another form.
+/// The bytes of a `data:` URI, base64 or percent-encoded; absent when the URI has another form.
 ///
-/// @throws Error at `place` for a `data:` URI that is not base64
+/// @throws Error at `place` for a `data:` URI that is neither
 [[nodiscard]] std::optional<DataUri> decode_data_uri(std::string_view uri, const Place& place);
 
 /// Where a relative URI leads: a path, or the reason why it is not followed.

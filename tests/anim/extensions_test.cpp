@@ -56,7 +56,8 @@ TEST_CASE("of extensions that are used, the unknown and the refused are warned o
     CHECK(scene.warnings.size() == 2);
     CHECK(test::warning_at(scene, "/extensionsUsed/1") == "EXT_unheard_of is not known; it is ignored");
     CHECK(test::warning_at(scene, "/extensionsUsed/3") ==
-          "KHR_materials_pbrSpecularGlossiness is not supported; it is ignored");
+          "KHR_materials_pbrSpecularGlossiness is not supported; it is ignored (convert the materials: npx "
+          "@gltf-transform/cli metalrough IN.glb OUT.glb)");
 }
 
 TEST_CASE("extensions that are required and not understood are refused by name, with every remedy once",

@@ -57,6 +57,15 @@ TEST_CASE("in the place of KTX2 the fallback is drawn, and a warning says so onc
           "KTX2 is not read: 2 textures are drawn from their other images");
 }
 
+TEST_CASE("an image that only KTX2 readers want is not missed", "[load]") {
+    TextureFile with(from("KHR_texture_basisu", 1, 0));
+    with.file.json["images"][1] = {{"uri", "not-there.ktx2"}};
+    const auto scene = with.file.load();
+    CHECK(scene.warnings.size() == 1);
+    CHECK(scene.images.at(1).name == "not-there.ktx2");
+    CHECK(scene.images.at(1).encoded.empty());
+}
+
 TEST_CASE("a drawn texture of nothing but KTX2 is refused with the command that converts it", "[load]") {
     const auto refusal = test::refusal_of(TextureFile(from("KHR_texture_basisu", 1)).file);
     CHECK(refusal.pointer == "/textures/0");

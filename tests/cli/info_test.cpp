@@ -108,3 +108,63 @@ TEST_CASE("info reads clips that are too long to render whole", "[cli][info]") {
     CHECK(render.exit_code == 2);
     CHECK(render.err.find("--frames") != std::string::npos);
 }
+
+TEST_CASE("info says what a render would say", "[cli][info]") {
+    const ScratchFolder folder;
+    json scene = json::parse(bytes_of(write_tiny_scene(folder.path())));
+    scene["materials"][0]["alphaMode"] = "BLEND";
+    scene["images"] = {{{"uri", "data:image/png;base64,AAAA"}, {"name", "junk"}}};
+    scene["textures"] = {{{"source", 0}}};
+    scene["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+    write_file(folder / "tiny.gltf", scene.dump());
+    const json notes =
+        json::parse(run_gridreel({"info", "tiny.gltf", "--json"}, {.folder = folder.path()}).out)["notes"];
+    REQUIRE(notes.size() == 3);
+    CHECK(notes[0].get<std::string>().starts_with("drawn white: image \"junk\""));
+    CHECK(notes[1] == "material 0 \"Red\" has alpha mode BLEND: drawn opaque");
+    CHECK(notes[2] == "no light in the scene: lit by the default dome and key light");
+    const std::string page = run_gridreel({"info", "tiny.gltf"}, {.folder = folder.path()}).out;
+    CHECK(page.find("note        material 0 \"Red\"") != page.npos);
+}
+
+TEST_CASE("info refuses a camera that no picture can be taken with, as render does", "[cli][info]") {
+    const ScratchFolder folder;
+    json scene = json::parse(bytes_of(write_tiny_scene(folder.path())));
+    for (json& node : scene["nodes"])
+        if (node.contains("camera")) node["scale"] = {0, 0, 0};
+    write_file(folder / "tiny.gltf", scene.dump());
+    const Outcome outcome = run_gridreel({"info", "tiny.gltf"}, {.folder = folder.path()});
+    CHECK(outcome.exit_code == 3);
+    CHECK(outcome.err.find("tiny: /nodes/") != std::string::npos);
+    CHECK(outcome.err.find("\"Cam\": the camera's node has no orientation") != std::string::npos);
+}
+
+TEST_CASE("many materials are counted rather than listed", "[cli][info]") {
+    const ScratchFolder folder;
+    json scene = json::parse(bytes_of(write_tiny_scene(folder.path())));
+    for (int i = 0; i < 300; ++i) scene["materials"].push_back({{"name", "Material " + std::to_string(i)}});
+    write_file(folder / "tiny.gltf", scene.dump());
+    const std::string page = run_gridreel({"info", "tiny.gltf"}, {.folder = folder.path()}).out;
+    CHECK(page.find("materials   Red, Material 0, ") != page.npos);
+    const auto more = page.find("and ", page.find("materials"));
+    REQUIRE(more != page.npos);
+    CHECK(std::stoi(page.substr(more + 4)) > 250);
+    CHECK(page.find("Material 299") == page.npos);
+}
+
+TEST_CASE("names in a file do not steer the terminal", "[cli][info]") {
+    const ScratchFolder folder;
+    json scene = json::parse(bytes_of(write_tiny_scene(folder.path())));
+    scene["materials"][0]["name"] = "evil\x1b[31m\a";
+    scene["materials"][0]["alphaMode"] = "BLEND";
+    write_file(folder / "tiny.gltf", scene.dump());
+    const std::string page = run_gridreel({"info", "tiny.gltf"}, {.folder = folder.path()}).out;
+    CHECK(page.find("evil\\x1b[31m\\x07") != page.npos);
+    const Outcome render =
+        run_gridreel({"render", "tiny.gltf", "-f", "0", "-s", "8x8"}, {.folder = folder.path()});
+    CHECK(render.err.find("evil\\x1b[31m\\x07") != std::string::npos);
+    for (const std::string& text : {page, render.err}) {
+        CHECK(text.find('\x1b') == text.npos);
+        CHECK(text.find('\a') == text.npos);
+    }
+}

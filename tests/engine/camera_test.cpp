@@ -79,5 +79,7 @@ TEST_CASE("the width of a pixel grows with depth", "[engine]") {
 
 TEST_CASE("a camera node scaled to nothing is an error", "[engine]") {
     const glm::dmat4 flat = glm::scale(glm::dmat4(1.0), {1.0, 1.0, 0.0});
-    CHECK_THROWS_AS(engine::view_of(right_angled, flat, 100, 100), Error);
+    CHECK_THROWS_WITH(
+        engine::view_of(right_angled, flat, 100, 100, "x: /nodes/3 \"Cam\""),
+        Catch::Matchers::StartsWith("x: /nodes/3 \"Cam\": the camera's node has no orientation"));
 }

@@ -30,13 +30,13 @@ TEST_CASE("one image can be a colour here and plain numbers there", "[engine]") 
     CHECK(textures.sample(ref, Encoding::linear, {}, 0.0f).x == Approx(188.0f / 255.0f));
 }
 
-TEST_CASE("what is not there is white, and an image without bytes is listed", "[engine]") {
+TEST_CASE("what is not there is white, and an image without bytes is not listed again", "[engine]") {
     anim::Scene scene = grey_twice();
     scene.images[0] = {.name = "lost.png", .mime_type = {}, .encoded = {}};
     const engine::Textures textures(scene);
     CHECK(textures.sample(anim::TextureRef{.texture = 0}, Encoding::srgb, {}, 0.0f) == glm::vec4(1.0f));
     CHECK(textures.sample(std::nullopt, Encoding::srgb, {}, 0.0f) == glm::vec4(1.0f));
-    CHECK(textures.problems() == std::vector<std::string>{"image \"lost.png\" could not be read"});
+    CHECK(textures.problems().empty());
 }
 
 TEST_CASE("damaged images are white, listed in the file's order, and take no other with them", "[engine]") {
