@@ -1,8 +1,10 @@
 #include "anim/frame_geometry.h"
 #include "anim/morph.h"
 #include "anim/placement.h"
+#include "anim/rigid_kernel.h"
+#include "anim/skin_kernel.h"
 #include "anim/trs_matrix.h"
-#include "anim/vertex_transform.h"
+#include "anim/vertex_spans.h"
 
 #include <tbb/parallel_for.h>
 
@@ -49,17 +51,11 @@ void deform_run(const Scene& scene, const Pose& pose, const VertexRun& run, Fram
     if (part.smooth) vertices.normals = std::span{geometry.normals}.subspan(begin, run.count);
     if (part.has_tangents) vertices.tangents = std::span{geometry.tangents}.subspan(begin, run.count);
 
-    // Morph.
-    const std::span<const float> weights = pose.weights[part.node];
-    morph_positions(primitive, weights, run.first, placement.centre, vertices.positions);
-    if (part.smooth) morph_normals(primitive, weights, run.first, vertices.normals);
-    if (part.has_tangents) morph_tangents(primitive, weights, run.first, vertices.tangents);
-
-    // Place.
+    const ShapeSpans shape = morph(primitive, pose.weights[part.node], run.first, placement.centre, vertices);
     if (part.skinned) {
-        transform_skinned(placement, rows, primitive.influences, run.first, vertices);
+        place_skinned(placement, rows, primitive.influences, run.first, shape, vertices);
     } else {
-        transform_rigid(placement, rows[0], vertices);
+        place_rigid(placement, rows[0], shape, vertices);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <array>
@@ -27,8 +28,9 @@ float largest_component(const glm::vec3& v) {
 }
 
 bool has_direction(const glm::vec3& v) {
-    const float largest = largest_component(v);
-    return largest > 0.0f && largest <= std::numeric_limits<float>::max();
+    const glm::vec3 most{std::numeric_limits<float>::max()};
+    // Not-a-numbers fail every comparison.
+    return glm::all(glm::lessThanEqual(glm::abs(v), most)) && v != glm::vec3{0.0f};
 }
 
 /// Scaled before squaring, so that tiny and huge vectors keep their direction.

@@ -21,10 +21,10 @@ struct DirectionMap {
 [[nodiscard]] DirectionMap direction_map(const glm::mat3& rows);
 
 /// The mapped normal at unit length. Where a flattening map leaves no direction: the normal of the plane it
-/// flattens onto, or, when even that is lost, +z. Never NaN for finite arguments.
+/// flattens onto, or, when even that is lost, +z. Never NaN.
 [[nodiscard]] glm::vec3 map_normal(const DirectionMap& map, const glm::vec3& normal);
 
-/// The mapped tangent at unit length; +x where the map leaves no direction.
+/// The mapped tangent at unit length; +x where the map leaves no direction. Never NaN.
 [[nodiscard]] glm::vec3 map_tangent(const DirectionMap& map, const glm::vec3& tangent);
 
 }  // namespace gridreel::anim

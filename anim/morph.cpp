@@ -1,10 +1,15 @@
 #include "anim/morph.h"
 
+#include <glm/vec4.hpp>
+
 #include <algorithm>
 #include <cassert>
+#include <vector>
 
 namespace gridreel::anim {
 namespace {
+
+using Displacements = std::vector<glm::vec3> MorphTarget::*;
 
 void displace(glm::vec3& vector, const glm::vec3& by) {
     vector += by;
@@ -15,42 +20,72 @@ void displace(glm::vec4& vector, const glm::vec3& by) {
     vector += glm::vec4{by, 0.0f};
 }
 
-/// Adds the attribute that `displacements` names of every target, where the target has it.
-template <class Vector>
-void add_targets(const Primitive& primitive, std::span<const float> weights,
-                 std::vector<glm::vec3> MorphTarget::*displacements, std::size_t first,
-                 std::span<Vector> out) {
-    assert(primitive.targets.size() == weights.size());
-    for (std::size_t i = 0; i < primitive.targets.size(); ++i) {
-        const std::vector<glm::vec3>& all = primitive.targets[i].*displacements;
-        const float weight = weights[i];
-        if (all.empty() || weight == 0.0f) continue;
-        const std::span<const glm::vec3> run = std::span{all}.subspan(first, out.size());
-        for (std::size_t v = 0; v < out.size(); ++v) displace(out[v], weight * run[v]);
+/// The morph targets of one primitive and what they weigh.
+class WeightedTargets {
+public:
+    WeightedTargets(const Primitive& primitive, std::span<const float> weights)
+        : targets_(primitive.targets), weights_(weights) {
+        assert(targets_.size() == weights_.size());
     }
+
+    [[nodiscard]] bool displace_any(Displacements attribute) const {
+        for (std::size_t i = 0; i < targets_.size(); ++i) {
+            if (counts(i, attribute)) return true;
+        }
+        return false;
+    }
+
+    /// Adds the displacements of the vertices from `first` on.
+    template <class Vector>
+    void add(Displacements attribute, std::size_t first, std::span<Vector> out) const {
+        for (std::size_t i = 0; i < targets_.size(); ++i) {
+            if (!counts(i, attribute)) continue;
+            const std::span<const glm::vec3> run =
+                std::span{targets_[i].*attribute}.subspan(first, out.size());
+            for (std::size_t v = 0; v < out.size(); ++v) displace(out[v], weights_[i] * run[v]);
+        }
+    }
+
+private:
+    [[nodiscard]] bool counts(std::size_t i, Displacements attribute) const {
+        return weights_[i] != 0.0f && !(targets_[i].*attribute).empty();
+    }
+
+    std::span<const MorphTarget> targets_;
+    std::span<const float> weights_;
+};
+
+/// `all` from `first` on: as they are, or displaced in `room`.
+template <class Vector>
+std::span<const Vector> displaced(const std::vector<Vector>& all, const WeightedTargets& targets,
+                                  Displacements attribute, std::size_t first, std::span<Vector> room) {
+    if (room.empty()) return {};
+    const std::span<const Vector> run = std::span{all}.subspan(first, room.size());
+    if (!targets.displace_any(attribute)) return run;
+    std::copy(run.begin(), run.end(), room.begin());
+    targets.add(attribute, first, room);
+    return room;
 }
 
 }  // namespace
 
-void morph_positions(const Primitive& primitive, std::span<const float> weights, std::size_t first,
-                     const glm::vec3& centre, std::span<glm::vec3> out) {
-    const std::span<const glm::vec3> run = std::span{primitive.positions}.subspan(first, out.size());
-    std::transform(run.begin(), run.end(), out.begin(), [&](const glm::vec3& p) { return p - centre; });
-    add_targets(primitive, weights, &MorphTarget::positions, first, out);
-}
+ShapeSpans morph(const Primitive& primitive, std::span<const float> weights, std::size_t first,
+                 const glm::vec3& centre, const VertexSpans& room) {
+    const WeightedTargets targets(primitive, weights);
+    ShapeSpans shape{
+        .positions = std::span{primitive.positions}.subspan(first, room.positions.size()),
+        .normals = displaced(primitive.normals, targets, &MorphTarget::normals, first, room.normals),
+        .tangents = displaced(primitive.tangents, targets, &MorphTarget::tangents, first, room.tangents),
+        .centre = centre};
+    if (!targets.displace_any(&MorphTarget::positions)) return shape;
 
-void morph_normals(const Primitive& primitive, std::span<const float> weights, std::size_t first,
-                   std::span<glm::vec3> out) {
-    const std::span<const glm::vec3> run = std::span{primitive.normals}.subspan(first, out.size());
-    std::copy(run.begin(), run.end(), out.begin());
-    add_targets(primitive, weights, &MorphTarget::normals, first, out);
-}
-
-void morph_tangents(const Primitive& primitive, std::span<const float> weights, std::size_t first,
-                    std::span<glm::vec4> out) {
-    const std::span<const glm::vec4> run = std::span{primitive.tangents}.subspan(first, out.size());
-    std::copy(run.begin(), run.end(), out.begin());
-    add_targets(primitive, weights, &MorphTarget::tangents, first, out);
+    // Relative to the centre first: displacements are small, and would lose digits far from the origin.
+    std::transform(shape.positions.begin(), shape.positions.end(), room.positions.begin(),
+                   [&](const glm::vec3& p) { return p - centre; });
+    targets.add(&MorphTarget::positions, first, room.positions);
+    shape.positions = room.positions;
+    shape.centre = glm::vec3{0.0f};
+    return shape;
 }
 
 }  // namespace gridreel::anim

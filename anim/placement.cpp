@@ -31,9 +31,8 @@ void round_maps(std::span<const glm::dmat4> maps, Placement& placement, std::spa
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const glm::dmat3 linear = glm::transpose(glm::dmat3{maps[i]});
         const glm::dvec3 offset = glm::dvec3{maps[i] * centre} - glm::dvec3{placement.origin};
-        rows[i] =
-            AffineRows{glm::vec4{glm::dvec4{linear[0], offset.x}}, glm::vec4{glm::dvec4{linear[1], offset.y}},
-                       glm::vec4{glm::dvec4{linear[2], offset.z}}};
+        for (glm::length_t axis = 0; axis < 3; ++axis)
+            rows[i].row[std::size_t(axis)] = glm::vec4{glm::dvec4{linear[axis], offset[axis]}};
     }
     placement.directions = direction_map(glm::transpose(glm::dmat3{maps[0]}));
 }

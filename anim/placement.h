@@ -4,16 +4,20 @@
 
 #include "anim/direction_map.h"
 
-#include <glm/mat3x4.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
+#include <array>
 #include <span>
 
 namespace gridreel::anim {
 
-/// An affine map as three rows (linear part, offset), so that `vec4{x, 1} * rows` applies it.
-using AffineRows = glm::mat3x4;
+/// An affine map as three rows: linear part, offset. A fourth that nobody looks at fills the cache line, so
+/// that kernels load a map as one register, or two.
+struct alignas(64) AffineRows {
+    std::array<glm::vec4, 4> row{};
+};
 
 /// How a part's vertices get into the world. A file position p becomes
 ///     origin + (sum over its joints of weight * rows[joint]) applied to (p - centre)

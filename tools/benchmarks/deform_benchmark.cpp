@@ -1,7 +1,6 @@
-// Deforming a skin of a million vertices beside a plain copy of as many bytes, and loading a large file.
-// Compare the bytes per second of `deform` and `copy`: --benchmark_filter=skin
-// --benchmark_enable_random_interleaving
-// --benchmark_repetitions=5.
+// Deforming a million vertices, skinned and rigid, beside plain copies of as many bytes, and loading a large
+// file. Compare the bytes per second of `deform` and `copy`:
+// --benchmark_filter='skin|rigid' --benchmark_enable_random_interleaving --benchmark_repetitions=5
 
 #include "anim/frame_geometry.h"
 #include "anim/load.h"
@@ -18,6 +17,7 @@
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,11 +70,24 @@ anim::Scene tube() {
     return scene;
 }
 
-// What a skinned vertex reads and writes: position, normal, four joints and weights; position and normal.
-constexpr std::size_t bytes_read = 12 + 12 + 8 + 16, bytes_written = 12 + 12;
+/// The same tube as one stiff piece that a node carries along.
+anim::Scene stiff_tube() {
+    anim::Scene scene = tube();
+    scene.meshes[0].primitives[0].influences = {};
+    scene.skins.clear();
+    scene.nodes[0].skin.reset();
+    scene.animations[0].channels = {{.object = 0, .path = anim::ChannelPath::rotation}};
+    return scene;
+}
 
-void skin_deform(benchmark::State& state) {
-    const anim::Scene scene = tube();
+// What a vertex reads and writes: position and normal, and of a skin four joints and weights.
+constexpr std::size_t vertex_bytes = 12 + 12, skinned_bytes = vertex_bytes + 8 + 16;
+
+std::int64_t bytes_processed(const benchmark::State& state, std::size_t bytes_read) {
+    return state.iterations() * static_cast<std::int64_t>(vertex_count * (bytes_read + vertex_bytes));
+}
+
+void deform(benchmark::State& state, const anim::Scene& scene, std::size_t bytes_read) {
     const anim::Clip clip = anim::choose_clip(scene);
     anim::FrameGeometry geometry = anim::lay_out(scene, clip);
     tbb::task_arena arena(static_cast<int>(state.range(0)));
@@ -83,27 +96,45 @@ void skin_deform(benchmark::State& state) {
         const anim::Pose pose = anim::pose(scene, clip, 0.001 * (++frame % 1000));
         arena.execute([&] { anim::deform(scene, pose, geometry); });
     }
-    state.SetBytesProcessed(state.iterations() * std::int64_t{vertex_count * (bytes_read + bytes_written)});
+    state.SetBytesProcessed(bytes_processed(state, bytes_read));
 }
 
-void skin_copy(benchmark::State& state) {
-    constexpr std::size_t run = 2048;
-    std::vector<std::uint64_t> from(vertex_count * bytes_read / 8, 1), to(vertex_count * bytes_written / 8);
+/// Copies `vertex_bytes` for each vertex, as the sum of all words that it reads.
+template <std::size_t bytes_read>
+void copy(benchmark::State& state) {
+    constexpr std::size_t run = 2048, words = bytes_read / vertex_bytes;
+    std::vector<std::uint64_t> from(vertex_count * bytes_read / 8, 1), to(vertex_count * vertex_bytes / 8);
     tbb::task_arena arena(static_cast<int>(state.range(0)));
     for (auto _ : state) {
         arena.execute([&] {
             tbb::parallel_for(std::size_t{0}, (vertex_count + run - 1) / run, [&](std::size_t i) {
                 const std::size_t first = i * run, count = std::min(run, vertex_count - first);
                 const std::uint64_t* const in = from.data() + first * bytes_read / 8;
-                std::uint64_t* const out = to.data() + first * bytes_written / 8;
-                for (std::size_t k = 0; k < count * bytes_written / 8; ++k)
-                    out[k] = in[2 * k] + in[2 * k + 1];
+                std::uint64_t* const out = to.data() + first * vertex_bytes / 8;
+                for (std::size_t k = 0; k < count * vertex_bytes / 8; ++k)
+                    out[k] = std::accumulate(in + words * k, in + words * (k + 1), std::uint64_t{0});
             });
         });
         benchmark::DoNotOptimize(to.data());
         benchmark::ClobberMemory();
     }
-    state.SetBytesProcessed(state.iterations() * std::int64_t{vertex_count * (bytes_read + bytes_written)});
+    state.SetBytesProcessed(bytes_processed(state, bytes_read));
+}
+
+void skin_deform(benchmark::State& state) {
+    deform(state, tube(), skinned_bytes);
+}
+
+void skin_copy(benchmark::State& state) {
+    copy<skinned_bytes>(state);
+}
+
+void rigid_deform(benchmark::State& state) {
+    deform(state, stiff_tube(), vertex_bytes);
+}
+
+void rigid_copy(benchmark::State& state) {
+    copy<vertex_bytes>(state);
 }
 
 /// A binary glTF of `mebibytes` of positions, normals and indices.
@@ -161,6 +192,8 @@ void load_large(benchmark::State& state) {
 
 BENCHMARK(skin_deform)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(skin_copy)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(rigid_deform)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(rigid_copy)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(load_large)->Arg(50)->ArgName("MiB")->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
