@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -99,10 +98,10 @@ void deform(benchmark::State& state, const anim::Scene& scene, std::size_t bytes
     state.SetBytesProcessed(bytes_processed(state, bytes_read));
 }
 
-/// Copies `vertex_bytes` for each vertex, as the sum of all words that it reads.
-template <std::size_t bytes_read>
-void copy(benchmark::State& state) {
-    constexpr std::size_t run = 2048, words = bytes_read / vertex_bytes;
+/// Writes `vertex_bytes` for each vertex: the k-th word is `word(in, k)`.
+template <class Word>
+void copy(benchmark::State& state, std::size_t bytes_read, Word word) {
+    constexpr std::size_t run = 2048;
     std::vector<std::uint64_t> from(vertex_count * bytes_read / 8, 1), to(vertex_count * vertex_bytes / 8);
     tbb::task_arena arena(static_cast<int>(state.range(0)));
     for (auto _ : state) {
@@ -111,8 +110,7 @@ void copy(benchmark::State& state) {
                 const std::size_t first = i * run, count = std::min(run, vertex_count - first);
                 const std::uint64_t* const in = from.data() + first * bytes_read / 8;
                 std::uint64_t* const out = to.data() + first * vertex_bytes / 8;
-                for (std::size_t k = 0; k < count * vertex_bytes / 8; ++k)
-                    out[k] = std::accumulate(in + words * k, in + words * (k + 1), std::uint64_t{0});
+                for (std::size_t k = 0; k < count * vertex_bytes / 8; ++k) out[k] = word(in, k);
             });
         });
         benchmark::DoNotOptimize(to.data());
@@ -126,7 +124,8 @@ void skin_deform(benchmark::State& state) {
 }
 
 void skin_copy(benchmark::State& state) {
-    copy<skinned_bytes>(state);
+    copy(state, skinned_bytes,
+         [](const std::uint64_t* in, std::size_t k) { return in[2 * k] + in[2 * k + 1]; });
 }
 
 void rigid_deform(benchmark::State& state) {
@@ -134,7 +133,7 @@ void rigid_deform(benchmark::State& state) {
 }
 
 void rigid_copy(benchmark::State& state) {
-    copy<vertex_bytes>(state);
+    copy(state, vertex_bytes, [](const std::uint64_t* in, std::size_t k) { return in[k]; });
 }
 
 /// A binary glTF of `mebibytes` of positions, normals and indices.
