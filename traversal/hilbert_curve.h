@@ -2,68 +2,50 @@
 // Hilbert's curve through a square of cells: any run of neighbours on it is compact.
 // David Hilbert, "Ueber die stetige Abbildung einer Linie auf ein Flaechenstueck", 1891.
 
-#include <array>
 #include <cstdint>
-#include <utility>
 
 namespace gridreel::traversal {
 
-/// A square is four quarters, from the largest square down: (0, 0), (0, 1), (1, 1), (1, 0). The curve runs
-/// through the first and the last mirrored on a diagonal, so that it goes on where it left the one before.
-class HilbertTable {
-public:
-    static constexpr unsigned levels_per_step = 4;
-
-    constexpr HilbertTable() {
-        for (unsigned orientation = 0; orientation < orientations; ++orientation) {
-            for (unsigned xy = 0; xy < entries; ++xy) at_[orientation][xy] = entry(orientation, xy);
-        }
-    }
-
-    /// @param x  `levels_per_step` bits; y as well
-    /// @param orientation  how the curve runs through this square; becomes how it runs through the cell's
-    /// @return the cell's place along the curve
-    constexpr std::uint32_t step(std::uint32_t x, std::uint32_t y, unsigned& orientation) const {
-        const unsigned found = at_[orientation][x << levels_per_step | y];
-        orientation = found >> 2 * levels_per_step;
-        return found & (entries - 1);
-    }
-
-private:
-    static constexpr unsigned orientations = 4;  // bit 0: x and y change places, bit 1: both run backwards
-    static constexpr unsigned entries = 1u << 2 * levels_per_step;
-
-    static constexpr std::uint16_t entry(unsigned orientation, unsigned xy) {
-        const unsigned x = xy >> levels_per_step, y = xy & ((1u << levels_per_step) - 1);
-        unsigned place = 0;
-        for (unsigned level = levels_per_step; level-- > 0;) {
-            unsigned right = x >> level & 1, upper = y >> level & 1;
-            if ((orientation & 1) != 0) std::swap(right, upper);
-            if ((orientation & 2) != 0) right ^= 1, upper ^= 1;
-            place = place << 2 | (right << 1 | (right ^ upper));
-            if (upper == 0) orientation ^= right != 0 ? 3 : 1;
-        }
-        return static_cast<std::uint16_t>(orientation << 2 * levels_per_step | place);
-    }
-
-    std::array<std::array<std::uint16_t, entries>, orientations> at_{};
-};
-
-inline constexpr HilbertTable hilbert_table;
+/// Of the lower 16 bits, bit i goes to bit 2 i.
+constexpr std::uint32_t spread_bits(std::uint32_t bits) {
+    bits = (bits | bits << 8) & 0x00ff00ffu;
+    bits = (bits | bits << 4) & 0x0f0f0f0fu;
+    bits = (bits | bits << 2) & 0x33333333u;
+    return (bits | bits << 1) & 0x55555555u;
+}
 
 /// The place along the curve of cell (x, y) of a square of 2^levels x 2^levels, both below 2^levels.
+///
+/// A square is four quarters, from the largest square down: (0, 0), (0, 1), (1, 1), (1, 0). The curve runs
+/// through the first and the last mirrored on a diagonal, so that it goes on where it left the one before.
+///
+/// How it runs through a square is two bits: whether x and y change places, and whether both run backwards.
+/// A level turns those of the square (s, c) into those of its quarter by an affine map over bits,
+///     s' = !d s + c + !y,   c' = d s + !d c + x !y,   d = x + y,
+/// so maps of levels compose like those of any such maps, and all levels at once by doubling (Hillis & Steele
+/// 1986), a bit a level. Without a table or a branch, compilers work on many cells side by side.
 template <unsigned levels>
 constexpr std::uint32_t hilbert_index(std::uint32_t x, std::uint32_t y) {
-    static_assert(levels % HilbertTable::levels_per_step == 0 && levels <= 16);
-    constexpr std::uint32_t mask = (1u << HilbertTable::levels_per_step) - 1;
-    unsigned orientation = 0;
-    std::uint32_t place = 0;
-    for (unsigned level = levels; level > 0;) {
-        level -= HilbertTable::levels_per_step;
-        place = place << 2 * HilbertTable::levels_per_step |
-                hilbert_table.step(x >> level & mask, y >> level & mask, orientation);
+    static_assert(levels >= 1 && levels <= 16);
+    constexpr std::uint32_t all = (1u << levels) - 1;
+    const std::uint32_t d = x ^ y;
+    // What becomes s and c of each level: how much of each there was before, and what is added.
+    std::uint32_t s_of_s = all ^ d, s_of_c = all, c_of_s = d, c_of_c = all ^ d;
+    std::uint32_t s = all ^ y, c = x & s;
+    for (unsigned step = 1; step < levels; step *= 2) {
+        const std::uint32_t upper_s = s >> step, upper_c = c >> step;
+        s ^= (s_of_s & upper_s) ^ (s_of_c & upper_c);
+        c ^= (c_of_s & upper_s) ^ (c_of_c & upper_c);
+        const std::uint32_t upper_ss = s_of_s >> step, upper_sc = s_of_c >> step;
+        const std::uint32_t upper_cs = c_of_s >> step, upper_cc = c_of_c >> step;
+        const std::uint32_t ss = s_of_s, cs = c_of_s;
+        s_of_s = (ss & upper_ss) ^ (s_of_c & upper_cs);
+        s_of_c = (ss & upper_sc) ^ (s_of_c & upper_cc);
+        c_of_s = (cs & upper_ss) ^ (c_of_c & upper_cs);
+        c_of_c = (cs & upper_sc) ^ (c_of_c & upper_cc);
     }
-    return place;
+    // Each level's quarter, by how the curve runs through the square around it.
+    return spread_bits(x ^ (d & s >> 1) ^ c >> 1) << 1 | spread_bits(d);
 }
 
 }  // namespace gridreel::traversal

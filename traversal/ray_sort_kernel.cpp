@@ -76,39 +76,41 @@ std::size_t make_keys(const Places& places, std::size_t begin, std::size_t end, 
                       const KeyMap& map, std::uint64_t* keys) {
     const LaneTag d;
     const hn::RebindToSigned<LaneTag> di;
+    const hn::RebindToUnsigned<LaneTag> du;
     const Lanes last = hn::Set(d, RayKey::last_cell);
-    HWY_ALIGN std::int32_t face[group], x[group], y[group];
+    HWY_ALIGN std::uint32_t face[group], x[group], y[group], place[group];
     std::size_t count = 0;
-    for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
-        const std::size_t last_lane = std::min(hn::Lanes(d), end - i);
+    for (std::size_t i = begin; i < end; i += group) {
         const auto is_wanted = [&](std::size_t lane) {
             return only == nullptr || (*only)[i + lane] == undecided;
         };
         if (only != nullptr) {
-            const hn::Rebind<std::uint8_t, LaneTag> du8;
+            const hn::CappedTag<std::uint8_t, group> du8;
             const auto marks = hn::LoadU(du8, only->data() + i);
             if (hn::AllFalse(du8, hn::Eq(marks, hn::Set(du8, undecided)))) continue;
         }
-        const CurvePlaces at = places.at(i);
-        const auto faces = hn::ConvertTo(di, at.face);
-        const Lanes scale = of_faces(map.scale, faces);
-        const auto cell = [&](Lanes place, const std::array<float, face_count + 1>& low) {
-            const Lanes along = hn::Mul(hn::Sub(place, of_faces(low, faces)), scale);
-            // The order of operands lets a NaN of a ray that hits nothing become a number.
-            return hn::ConvertTo(di, hn::Min(hn::Max(along, hn::Zero(d)), last));
-        };
-        hn::Store(cell(at.u, map.low_u), di, x);
-        hn::Store(cell(at.v, map.low_v), di, y);
-        hn::Store(faces, di, face);
-        for (std::size_t lane = 0; lane < last_lane; ++lane) {
-            if (!is_wanted(lane)) continue;
-            const auto bits = [lane](const std::int32_t* lanes) {
-                return static_cast<std::uint32_t>(lanes[lane]);
+        for (std::size_t first = 0; first < group; first += hn::Lanes(d)) {
+            const CurvePlaces at = places.at(i + first);
+            const auto faces = hn::ConvertTo(di, at.face);
+            const Lanes scale = of_faces(map.scale, faces);
+            const auto cell = [&](Lanes where, const std::array<float, face_count + 1>& low) {
+                const Lanes along = hn::Mul(hn::Sub(where, of_faces(low, faces)), scale);
+                // The order of operands lets a NaN of a ray that hits nothing become a number.
+                return hn::ConvertTo(di, hn::Min(hn::Max(along, hn::Zero(d)), last));
             };
-            const std::uint32_t place = hilbert_index<RayKey::slope_bits>(bits(x), bits(y));
-            keys[count++] = (std::uint64_t{bits(face)} << RayKey::place_bits | place)
-                                << RayKey::position_bits |
-                            (i + lane);
+            hn::Store(hn::BitCast(du, cell(at.u, map.low_u)), du, x + first);
+            hn::Store(hn::BitCast(du, cell(at.v, map.low_v)), du, y + first);
+            hn::Store(hn::BitCast(du, faces), du, face + first);
+        }
+        for (std::size_t lane = 0; lane < group; ++lane) {
+            place[lane] = hilbert_index<RayKey::slope_bits>(x[lane], y[lane]);
+        }
+        const std::size_t last_lane = std::min(group, end - i);
+        for (std::size_t lane = 0; lane < last_lane; ++lane) {
+            keys[count] = (std::uint64_t{face[lane]} << RayKey::place_bits | place[lane])
+                              << RayKey::position_bits |
+                          (i + lane);
+            count += is_wanted(lane) ? 1 : 0;
         }
     }
     return count;

@@ -1,4 +1,5 @@
 #include "traversal/hilbert_curve.h"
+#include "test_triangles.h"
 
 #include <catch2/catch.hpp>
 
@@ -34,6 +35,22 @@ TEST_CASE("Hilbert's curve visits every cell, each beside the one before", "[tra
         const int steps = std::abs(x(place) - x(place - 1)) + std::abs(y(place) - y(place - 1));
         if (steps != 1) FAIL("a step of " << steps << " to " << place);
     }
+}
+
+TEST_CASE("a finer Hilbert curve runs through the cells of a coarser one in their order", "[traversal]") {
+    constexpr unsigned finest = 16;
+    const auto at = [](std::uint32_t x, std::uint32_t y) { return traversal::hilbert_index<finest>(x, y); };
+    Random random(63);
+    const auto any = [&] { return random.next() % (1u << finest); };
+    int strange = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const std::uint32_t x = any(), y = any();
+        constexpr unsigned below = finest - levels;
+        strange += at(x, y) >> 2 * below != traversal::hilbert_index<levels>(x >> below, y >> below);
+    }
+    CHECK(strange == 0);
+    CHECK(at(0, 0) == 0);
+    CHECK(at(65535, 0) == 0xffffffffu);
 }
 
 }  // namespace gridreel::tests
