@@ -9,8 +9,10 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
@@ -26,11 +28,16 @@ inline constexpr std::size_t group = 16;
 using LaneTag = hn::CappedTag<float, group>;
 using Lanes = hn::Vec<LaneTag>;
 
-/// Bits of a mask of up to 16 lanes.
-HWY_INLINE unsigned bits_of(LaneTag d, hn::Mask<LaneTag> mask) {
+/// Bits of a mask of up to 32 lanes.
+template <class D>
+HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, mask, bytes);
-    return static_cast<unsigned>(bytes[0]) | static_cast<unsigned>(bytes[1]) << 8;
+    // Compilers do not see that bytes put together one by one are the register that they came from.
+    static_assert(std::endian::native == std::endian::little);
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits;
 }
 
 }  // namespace HWY_NAMESPACE

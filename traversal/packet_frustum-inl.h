@@ -7,6 +7,7 @@
 #define GRIDREEL_TRAVERSAL_PACKET_FRUSTUM_INL_H_
 #endif
 
+#include "traversal/block_boxes-inl.h"
 #include "traversal/lanes-inl.h"
 #include "traversal/packet.h"
 #include "traversal/triangle-inl.h"
@@ -15,6 +16,7 @@
 #include <bit>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
@@ -35,15 +37,9 @@ struct Sweep {
     }
 };
 
-/// The hull of the active blocks: slopes within centre +- half, depths that can still matter.
-struct Frustum {
-    float centre_u = 0.0f, half_u = 0.0f, centre_v = 0.0f, half_v = 0.0f;
-    float near_depth = 0.0f, far_depth = -1.0f;
-
-    /// What triangles are seen along.
-    [[nodiscard]] HWY_INLINE Slopes<Lanes> centre(LaneTag d) const {
-        return {hn::Set(d, centre_u), hn::Set(d, centre_v)};
-    }
+/// What the rays of some blocks lie in, and the blocks as triangles are held against them.
+struct Frustum : Hull {
+    std::optional<BlockBoxes> boxes;  ///< since there were triangles
 };
 
 /// What all rays of loose blocks lie in: places between two lines along either axis.

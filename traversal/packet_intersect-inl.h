@@ -8,6 +8,7 @@
 #define GRIDREEL_TRAVERSAL_PACKET_INTERSECT_INL_H_
 #endif
 
+#include "traversal/block_boxes-inl.h"
 #include "traversal/candidates.h"
 #include "traversal/corner_table-inl.h"
 #include "traversal/grid_scene.h"
@@ -37,7 +38,7 @@ inline constexpr int plane_row = 3;
 struct alignas(64) EdgeTable {
     float k[4][group], u[4][group], v[4][group];  // three edges, then the plane
     float volume[group], error[group], sure[group], depth_min[group], depth_max[group];
-    float low_u[group], high_u[group], low_v[group], high_v[group];  // slopes, less the aim's
+    StepTable steps;
 };
 
 /// Whether any direction within the bounds can be inside all three edges, lane by lane: the edge function's
@@ -93,7 +94,7 @@ HWY_INLINE SlopeBox<Lanes> slope_box(LaneTag d, const Vec3<Lanes>& a, const Vec3
 /// Edge functions of 16 triangles into `table`. @return a bit for each that the frustum does not cull
 template <Bundle bundle>
 HWY_INLINE unsigned cull_by_frustum(const CornerTable<group>& corners, const Packet& packet,
-                                    const Frustum& frustum, EdgeTable& table) {
+                                    const Frustum& frustum, const BlockBoxes& boxes, EdgeTable& table) {
     const LaneTag d;
     const Viewpoint seen(packet.origin, packet.axes);
     const Slopes<Lanes> half{hn::Set(d, frustum.half_u), hn::Set(d, frustum.half_v)};
@@ -114,10 +115,7 @@ HWY_INLINE unsigned cull_by_frustum(const CornerTable<group>& corners, const Pac
             edges = edge_functions(d, a, b, c, sign, aim);
             box = slope_box(d, a, b, c, sign, aim.slopes);
         }
-        hn::Store(box.low_u, d, table.low_u + first);
-        hn::Store(box.high_u, d, table.high_u + first);
-        hn::Store(box.low_v, d, table.low_v + first);
-        hn::Store(box.high_v, d, table.high_v + first);
+        boxes.store_steps(box, first, table.steps);
         const auto in_box = hn::And(hn::And(hn::Le(box.low_u, half.u), hn::Ge(box.high_u, hn::Neg(half.u))),
                                     hn::And(hn::Le(box.low_v, half.v), hn::Ge(box.high_v, hn::Neg(half.v))));
         const auto inside = hn::And(in_box, may_be_inside(d, edges, {hn::Zero(d), hn::Zero(d)}, half));
@@ -156,47 +154,6 @@ HWY_INLINE EdgeFunctions<Lanes> broadcast(const EdgeTable& table, int triangle) 
     edges.depth_max = hn::Set(d, table.depth_max[triangle]);
     return edges;
 }
-
-/// The blocks as a triangle's box meets them: slopes less the aim's.
-struct alignas(64) BlockBoxes {
-    float low_u[blocks_per_packet], high_u[blocks_per_packet], low_v[blocks_per_packet],
-        high_v[blocks_per_packet];
-
-    BlockBoxes(const Packet& packet, const Slopes<Lanes>& aim) {
-        const LaneTag d;
-        for (std::size_t first = 0; first < blocks_per_packet; first += hn::Lanes(d)) {
-            const Lanes u = hn::Sub(hn::Load(d, packet.centre_u + first), aim.u);
-            const Lanes v = hn::Sub(hn::Load(d, packet.centre_v + first), aim.v);
-            const Lanes half_u = hn::Load(d, packet.half_u + first);
-            const Lanes half_v = hn::Load(d, packet.half_v + first);
-            hn::Store(hn::Sub(u, half_u), d, low_u + first);
-            hn::Store(hn::Add(u, half_u), d, high_u + first);
-            hn::Store(hn::Sub(v, half_v), d, low_v + first);
-            hn::Store(hn::Add(v, half_v), d, high_v + first);
-        }
-    }
-
-    /// @return a bit for each block whose box and reach overlap the triangle's
-    [[nodiscard]] HWY_INLINE BlockMask touched_by(const EdgeTable& table, int triangle,
-                                                  const Packet& packet) const {
-        const LaneTag d;
-        const Lanes least_u = hn::Set(d, table.low_u[triangle]), most_u = hn::Set(d, table.high_u[triangle]);
-        const Lanes least_v = hn::Set(d, table.low_v[triangle]), most_v = hn::Set(d, table.high_v[triangle]);
-        const Lanes nearest = hn::Set(d, table.depth_min[triangle]);
-        const Lanes farthest = hn::Set(d, table.depth_max[triangle]);
-        BlockMask blocks = 0;
-        for (std::size_t first = 0; first < blocks_per_packet; first += hn::Lanes(d)) {
-            const auto in_u = hn::And(hn::Le(least_u, hn::Load(d, high_u + first)),
-                                      hn::Ge(most_u, hn::Load(d, low_u + first)));
-            const auto in_v = hn::And(hn::Le(least_v, hn::Load(d, high_v + first)),
-                                      hn::Ge(most_v, hn::Load(d, low_v + first)));
-            const auto in_reach = hn::And(hn::Le(nearest, hn::Load(d, packet.far_depth + first)),
-                                          hn::Ge(farthest, hn::Load(d, packet.near_depth + first)));
-            blocks |= BlockMask{bits_of(d, hn::And(hn::And(in_u, in_v), in_reach))} << first;
-        }
-        return blocks;
-    }
-};
 
 /// One triangle against all blocks, a lane a block. @return a bit for each block that must look closer
 HWY_INLINE BlockMask blocks_that_may_hit(const Packet& packet, const Slopes<Lanes>& aim,
@@ -287,10 +244,11 @@ HWY_INLINE void intersect_block(Packet& packet, const Slopes<Lanes>& aim, const 
 /// Intersects the waiting triangles with the active blocks and lets them go.
 /// Blocks whose rays need nothing more leave `active`.
 template <Wanted wanted, Bundle bundle>
-void intersect(const GridScene& scene, Packet& packet, BlockMask& active, const Frustum& frustum,
+void intersect(const GridScene& scene, Packet& packet, BlockMask& active, Frustum& frustum,
                Candidates& candidates, TraceReport& report) {
     const Slopes<Lanes> aim = frustum.centre(LaneTag());
-    const BlockBoxes boxes(packet, aim);
+    if (!frustum.boxes) frustum.boxes.emplace(packet, frustum);
+    const BlockBoxes& boxes = *frustum.boxes;
     // While one group is worked on, the corners of the next are on their way.
     CornerTable<group> tables[2];
     EdgeTable edge_table;
@@ -303,14 +261,16 @@ void intersect(const GridScene& scene, Packet& packet, BlockMask& active, const 
     for (std::size_t begin = 0; begin < candidates.size() && active != 0; begin += group) {
         if (begin + group < candidates.size()) gather_at(begin + group);
         const CornerTable<group>& corners = tables[begin / group % 2];
-        unsigned survivors = cull_by_frustum<bundle>(corners, packet, frustum, edge_table);
+        unsigned survivors = cull_by_frustum<bundle>(corners, packet, frustum, boxes, edge_table);
         const std::size_t count = std::min(group, candidates.size() - begin);
         if (HWY_UNLIKELY(!scene.packets.culling)) survivors = ~0u;
         survivors &= (1u << count) - 1u;
         for (; survivors != 0; survivors &= survivors - 1) {
             const int i = std::countr_zero(survivors);
             BlockMask blocks = active;
-            if (HWY_LIKELY(scene.packets.culling)) blocks &= boxes.touched_by(edge_table, i, packet);
+            if (HWY_LIKELY(scene.packets.culling)) {
+                blocks &= boxes.touched_by(edge_table.steps, i, edge_table.depth_min[i], packet);
+            }
             if (blocks == 0) continue;
             const auto edges = broadcast(edge_table, i);
             // What lies across many blocks is long and thin: few of them are near it.
