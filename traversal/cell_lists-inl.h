@@ -33,9 +33,11 @@ public:
         const std::uint32_t* const references = level.references.data();
         while (count_ <= capacity) {
             const std::size_t some = std::min<std::size_t>(end - begin, group);
+            // Of empty cells nothing is read, lest it be waited for: what is in cache will do as well.
+            const std::uint32_t* const list = some == 0 ? lists_ : references + begin;
             unsigned marks = 0;
             for (std::size_t i = 0; i < group; i += hn::Lanes(du)) {
-                const auto values = hn::LoadU(du, references + begin + i);
+                const auto values = hn::LoadU(du, list + i);
                 hn::StoreU(values, du, lists_ + count_ + i);
                 const auto marked = hn::TestBit(values, hn::Set(du, rebuild::nested_mark));
                 marks |= bits_of(LaneTag(), hn::RebindMask(LaneTag(), marked)) << i;

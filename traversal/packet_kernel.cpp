@@ -181,10 +181,7 @@ private:
         }
         March<Wanted::any, bundle> march(scene_, packet_, candidates_, report_);
         const BlockMask open = march.run(work_per_ray * packet_.ray_count);
-        for (std::size_t lane = 0; lane < packet_.ray_count; ++lane) {
-            const bool is_open = (open >> lane / rays_per_block & 1) != 0;
-            occluded_[packet_.ray[lane]] = packet_.depth[lane] < 0.0f ? 1 : is_open ? undecided : 0;
-        }
+        store_run(packet_, open, occluded_.data() + cut.begin);
         return open == 0;
     }
 

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -231,6 +232,31 @@ HWY_INLINE void store_hits(const Packet& packet, HitBatch& hits) {
         for (std::size_t i = 0; i < count; ++i) {
             hits.t[packet.ray[block + i]] = t[i];
             hits.triangle[packet.ray[block + i]] = triangle[i];
+        }
+    }
+}
+
+/// Writes which of the packet's rays are blocked, one after the other.
+/// @param open  a bit for each block whose other rays are `undecided`
+HWY_INLINE void store_run(const Packet& packet, BlockMask open, std::uint8_t* occluded) {
+    const LaneTag d;
+    const hn::RebindToSigned<LaneTag> di;
+    const hn::Rebind<std::uint8_t, LaneTag> du8;
+    HWY_ALIGN std::uint8_t answers[rays_per_block];
+    for (std::size_t begin = 0; begin < packet.ray_count; begin += rays_per_block) {
+        const bool is_open = (open >> begin / rays_per_block & 1) != 0;
+        const auto unblocked = hn::Set(di, is_open ? std::int32_t{undecided} : 0);
+        for (std::size_t first = 0; first < rays_per_block; first += hn::Lanes(d)) {
+            const auto blocked =
+                hn::RebindMask(di, hn::Lt(hn::Load(d, packet.depth + begin + first), hn::Zero(d)));
+            const auto answer = hn::IfThenElse(blocked, hn::Set(di, 1), unblocked);
+            hn::StoreU(hn::DemoteTo(du8, answer), du8, answers + first);
+        }
+        const std::size_t count = std::min(rays_per_block, packet.ray_count - begin);
+        if (HWY_LIKELY(count == rays_per_block)) {
+            std::memcpy(occluded + begin, answers, rays_per_block);
+        } else {
+            std::copy_n(answers, count, occluded + begin);
         }
     }
 }

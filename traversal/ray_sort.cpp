@@ -7,6 +7,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -32,13 +33,14 @@ struct SlopeBounds {
 };
 using FaceBounds = std::array<SlopeBounds, face_count>;
 
-/// Bounds of a few thousand rays. Others may lie outside: they count as on the border, which costs a little
-/// coherence and nothing else.
-FaceBounds sampled_bounds(const RayBatch& rays) {
+/// Bounds of up to a few thousand of the rays that are wanted. Others may lie outside: they count as on the
+/// border, which costs a little coherence and nothing else.
+FaceBounds sampled_bounds(const RayBatch& rays, const OcclusionBatch* only) {
     constexpr std::size_t samples = 4096;
     FaceBounds bounds;
     const std::size_t stride = rays.size() / samples | 1;  // odd, to be out of step with tiles of pixels
     for (std::size_t i = 0; i < rays.size(); i += stride) {
+        if (only != nullptr && (*only)[i] != undecided) continue;
         const RayFrame ray = ray_frame(rays, i);
         if (ray.hits_nothing()) continue;
         SlopeBounds& box = bounds[ray.axes.face()];
@@ -68,8 +70,13 @@ KeyMap key_map(const FaceBounds& bounds) {
     return map;
 }
 
-constexpr unsigned digit_bits = 8;
-constexpr std::size_t digit_values = std::size_t{1} << digit_bits;
+/// Bits of the digit that so many keys are sorted by: about eight keys share its value.
+unsigned digit_bits_for(std::size_t count) {
+    constexpr unsigned least = 2, most = 8, shared_bits = 3;
+    return std::clamp(static_cast<unsigned>(std::bit_width(count)), least + shared_bits, most + shared_bits) -
+           shared_bits;
+}
+constexpr std::size_t most_digit_values = std::size_t{1} << 8;
 
 /// Sorts the keys of one bucket, or of one part of it, and writes their positions: digit by digit from the
 /// highest on, as long as more rays share it than a few blocks hold.
@@ -86,17 +93,20 @@ void sort_bucket(std::uint64_t* keys, std::size_t count, unsigned digit_end, std
         std::transform(keys, keys + count, order, position);
         return;
     }
+    const unsigned digit_bits = digit_bits_for(count);
+    const std::size_t digit_values = std::size_t{1} << digit_bits;
     const unsigned shift = std::max(RayKey::position_bits + digit_bits, digit_end) - digit_bits;
-    const auto digit = [shift](std::uint64_t key) { return key >> shift & (digit_values - 1); };
-    std::array<std::uint32_t, digit_values + 1> begin{};
+    const auto digit = [&](std::uint64_t key) { return key >> shift & (digit_values - 1); };
+    std::array<std::uint32_t, most_digit_values + 1> begin;
+    std::fill_n(begin.begin(), digit_values + 1, 0u);
     for (std::size_t i = 0; i < count; ++i) ++begin[digit(keys[i]) + 1];
     std::uint32_t most = 0;
     for (std::size_t value = 1; value <= digit_values; ++value) {
         most = std::max(most, begin[value]);
         begin[value] += begin[value - 1];
     }
-    std::array<std::uint32_t, digit_values> next;
-    std::copy(begin.begin(), begin.end() - 1, next.begin());
+    std::array<std::uint32_t, most_digit_values> next;
+    std::copy_n(begin.begin(), digit_values, next.begin());
     if (most <= few) {  // and those in the batch's order
         for (std::size_t i = 0; i < count; ++i) order[next[digit(keys[i])]++] = position(keys[i]);
         return;
@@ -148,7 +158,7 @@ std::span<const std::uint64_t> RaySort::keys_of(std::size_t chunk) const {
 }
 
 void RaySort::key_and_count(const RayBatch& rays, const OcclusionBatch* only) {
-    const KeyMap map = key_map(sampled_bounds(rays));
+    const KeyMap map = key_map(sampled_bounds(rays, only));
     tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t c) {
         const std::size_t begin = chunk_begin(c);
         Chunk& chunk = chunks_[c];
