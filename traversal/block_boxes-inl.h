@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace gridreel::traversal {
@@ -23,8 +24,9 @@ namespace HWY_NAMESPACE {
 /// a greater value is never less: what overlaps does so in steps, too.
 class Steps {
 public:
-    /// @param reach  from the range's middle, which is zero, to its ends: finite, > 0
-    explicit Steps(float reach) : per_unit_(last / std::max(reach, 0x1p-100f)) {}
+    /// @param reach  from the range's middle, which is zero, to its ends
+    explicit Steps(float reach)
+        : per_unit_(last / std::clamp(reach, 0x1p-100f, std::numeric_limits<float>::max())) {}
 
     /// Of a value a lane.
     HWY_INLINE void store(Lanes values, std::int8_t* to) const {
