@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <string_view>
@@ -26,9 +27,9 @@ std::string count(std::size_t number, std::string_view thing, std::string_view p
 /// One labelled entry of the page.
 template <class... Args>
 void line(std::string& page, std::string_view title, fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(page), "{:<12}", title);
-    fmt::format_to(std::back_inserter(page), format, std::forward<Args>(args)...);
-    page += '\n';
+    std::string text = fmt::format(format, std::forward<Args>(args)...);
+    std::replace(text.begin(), text.end(), '\n', ' ');  // names may hold anything
+    fmt::format_to(std::back_inserter(page), "{:<12}{}\n", title, text);
 }
 
 std::string names(const std::vector<std::string>& list) {

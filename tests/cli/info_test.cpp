@@ -155,7 +155,7 @@ TEST_CASE("many materials are counted rather than listed", "[cli][info]") {
 TEST_CASE("names in a file do not steer the terminal", "[cli][info]") {
     const ScratchFolder folder;
     json scene = json::parse(bytes_of(write_tiny_scene(folder.path())));
-    scene["materials"][0]["name"] = "evil\x1b[31m\a";
+    scene["materials"][0]["name"] = "evil\x1b[31m\a\nline";
     scene["materials"][0]["alphaMode"] = "BLEND";
     write_file(folder / "tiny.gltf", scene.dump());
     const std::string page = run_gridreel({"info", "tiny.gltf"}, {.folder = folder.path()}).out;
@@ -163,6 +163,8 @@ TEST_CASE("names in a file do not steer the terminal", "[cli][info]") {
     const Outcome render =
         run_gridreel({"render", "tiny.gltf", "-f", "0", "-s", "8x8"}, {.folder = folder.path()});
     CHECK(render.err.find("evil\\x1b[31m\\x07") != std::string::npos);
+    CHECK(page.find("\nline") == page.npos);
+    CHECK(render.err.find("\nline") == std::string::npos);
     for (const std::string& text : {page, render.err}) {
         CHECK(text.find('\x1b') == text.npos);
         CHECK(text.find('\a') == text.npos);
