@@ -24,13 +24,40 @@ std::string names_of(const std::vector<Animation>& animations) {
     return names;
 }
 
+bool drives_a_node(const Channel& channel) {
+    return channel.path != ChannelPath::camera && channel.path != ChannelPath::light &&
+           channel.path != ChannelPath::material;
+}
+
+/// The animations but for those that only move nodes of other scenes. Joints may stand in no scene at all.
+std::vector<Index> of_scene(const Scene& scene, Index shown) {
+    // Each tree once, however many scenes show it.
+    std::set<Index> roots;
+    for (const std::vector<Index>& other : scene.scenes) roots.insert(other.begin(), other.end());
+    std::vector<bool> elsewhere(scene.nodes.size(), false);
+    for (const Index node : depth_first(scene, std::vector<Index>(roots.begin(), roots.end())))
+        elsewhere[node] = true;
+    for (const Index node : depth_first(scene, scene.scenes[shown])) elsewhere[node] = false;
+
+    std::vector<Index> found;
+    for (Index i = 0; i < scene.animations.size(); ++i) {
+        const std::vector<Channel>& channels = scene.animations[i].channels;
+        const bool is_elsewhere =
+            !channels.empty() && std::all_of(channels.begin(), channels.end(), [&](const Channel& channel) {
+                return drives_a_node(channel) && elsewhere[channel.object];
+            });
+        if (!is_elsewhere) found.push_back(i);
+    }
+    return found;
+}
+
 /// No two animations drive the same property, so all can play together.
-bool disjoint(const std::vector<Animation>& animations) {
+bool disjoint(const std::vector<Animation>& animations, const std::vector<Index>& chosen) {
     using Property = std::tuple<ChannelPath, Index, Index>;
     std::set<Property> taken;
-    for (const Animation& animation : animations) {
+    for (const Index index : chosen) {
         std::set<Property> driven;
-        for (const Channel& channel : animation.channels) {
+        for (const Channel& channel : animations[index].channels) {
             // One weight of a node takes them all.
             const bool is_weight = channel.path == ChannelPath::weight;
             driven.emplace(is_weight ? ChannelPath::weights : channel.path, channel.object,
@@ -49,12 +76,14 @@ std::vector<Index> all_of(const std::vector<Animation>& animations) {
     return all;
 }
 
-std::vector<Index> choose_animations(const std::vector<Animation>& animations, std::string_view choice) {
+std::vector<Index> choose_animations(const Scene& scene, Index shown, std::string_view choice) {
+    const std::vector<Animation>& animations = scene.animations;
     if (choice == "none") return {};
     if (choice == "all") return all_of(animations);
     if (choice == "auto") {
-        if (animations.empty()) return {};
-        return disjoint(animations) ? all_of(animations) : std::vector<Index>{0};
+        const std::vector<Index> here = of_scene(scene, shown);
+        if (here.empty() || disjoint(animations, here)) return here;
+        return {here.front()};
     }
 
     // A name wins over a number: an animation may well be called "1".
@@ -87,7 +116,7 @@ Clip choose_clip(const Scene& scene, std::string_view animation, std::optional<I
         throw Error(fmt::format("no scene {}", shown), "--scene",
                     fmt::format("choose a number from 0 to {}", scene.scenes.size() - 1));
     }
-    Clip clip{.scene = shown, .animations = choose_animations(scene.animations, animation)};
+    Clip clip{.scene = shown, .animations = choose_animations(scene, shown, animation)};
     clip.duration_s = duration_of(scene, clip.animations);
     return clip;
 }

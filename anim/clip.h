@@ -20,7 +20,7 @@ struct Clip {
 ///
 /// @param animation    "auto", "all", "none", an animation's name, or its number from 0.
 ///                     A name wins over a number. "auto" plays all when no two animate the same property of a
-///                     node, else the first.
+///                     node, else the first; those that only move nodes of other scenes do not count.
 /// @param scene_index  a scene's number, or absent: the file's default
 /// @throws Error listing the names there are, when nothing matches
 [[nodiscard]] Clip choose_clip(const Scene& scene, std::string_view animation = "auto",

@@ -113,6 +113,25 @@ TEST_CASE("the file's default scene is shown unless another is asked for", "[ani
     CHECK_THROWS_AS(choose_clip(scene, "auto", 2), Error);
 }
 
+TEST_CASE("by itself nothing plays that only moves nodes of other scenes", "[anim]") {
+    Scene scene = walk_and_nod();
+    scene.scenes = {{0}, {1}, {0, 1}, {}};
+    CHECK(choose_clip(scene, "auto", 0).animations == Indices{0});
+    CHECK(choose_clip(scene, "auto", 0).duration_s == 2.0);
+    CHECK(choose_clip(scene, "auto", 1).animations == Indices{1});
+    CHECK(choose_clip(scene, "auto", 2).animations == Indices{0, 1});
+    CHECK(choose_clip(scene, "auto", 3).animations.empty());
+    CHECK(choose_clip(scene, "all", 0).animations == Indices{0, 1});
+
+    // Joints may stand in no scene, and looks in all.
+    scene.scenes = {{1}};
+    CHECK(choose_clip(scene).animations == Indices{0, 1});
+    scene.scenes = {{0}, {1}};
+    scene.materials.resize(1);
+    drive(scene, add_animation(scene, "glow"), 0, ChannelPath::material, still_until(1.0f));
+    CHECK(choose_clip(scene, "auto", 1).animations == Indices{1, 2});
+}
+
 TEST_CASE("samplers that no channel uses do not lengthen a clip", "[anim]") {
     Scene scene = walk_and_nod();
     scene.animations[0].samplers.push_back(still_until(100.0f));
