@@ -69,17 +69,15 @@ Box clip_bounds(const Scene& scene, const Clip& clip) {
     std::vector<Slice> slices = cut(geometry, vertices);
     const int times = clip.duration_s > 0.0 && geometry.moving_triangles() > 0 ? times_sampled : 1;
 
-    std::vector<bool> was_shown(geometry.parts.size(), false);
     for (int i = 0; i < times; ++i) {
         const double time_s = times == 1 ? 0.0 : clip.duration_s * i / (times - 1);
         deform(scene, pose(scene, clip, time_s), geometry);
         tbb::parallel_for(std::size_t{0}, slices.size(), [&](std::size_t s) { extend(geometry, slices[s]); });
-        for (std::size_t p = 0; p < was_shown.size(); ++p)
-            was_shown[p] = was_shown[p] || geometry.is_shown[p];
     }
 
     Box whole;
-    for (const Slice& slice : slices) whole.extend(was_shown[slice.part] ? slice.while_shown : slice.always);
+    for (const Slice& slice : slices)
+        whole.extend(slice.while_shown.empty() ? slice.always : slice.while_shown);
     return whole;
 }
 

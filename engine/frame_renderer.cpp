@@ -40,9 +40,7 @@ struct FrameRenderer::State {
           cut_outs(has_cut_outs(scene, geometry)),
           tracer(traversal::make_tracer(settings.tracer)),
           lambda(traversal::make_lambda_chooser(settings.tracer, shot.camera_ray_count())),
-          notes(notes_on_looks(scene, geometry, textures)) {
-        notes.insert(notes.end(), shot.notes().begin(), shot.notes().end());
-    }
+          notes(notes_on(scene, geometry, textures, shot)) {}
 
     // What was decided once.
     const anim::Scene& scene;

@@ -18,8 +18,8 @@ std::set<anim::Index> used_materials(const anim::FrameGeometry& geometry) {
 
 }  // namespace
 
-std::vector<std::string> notes_on_looks(const anim::Scene& scene, const anim::FrameGeometry& geometry,
-                                        const Textures& textures) {
+std::vector<std::string> notes_on(const anim::Scene& scene, const anim::FrameGeometry& geometry,
+                                  const Textures& textures, const Shot& shot) {
     std::vector<std::string> notes;
     for (const std::string& problem : textures.problems()) {
         notes.push_back(fmt::format("drawn white: {}", problem));
@@ -29,6 +29,7 @@ std::vector<std::string> notes_on_looks(const anim::Scene& scene, const anim::Fr
         notes.push_back(fmt::format("material {} \"{}\" has alpha mode BLEND: drawn opaque", material,
                                     scene.materials[material].name));
     }
+    notes.insert(notes.end(), shot.notes().begin(), shot.notes().end());
     return notes;
 }
 

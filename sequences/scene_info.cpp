@@ -63,9 +63,7 @@ std::vector<std::string> notes_of(const anim::Scene& scene, const anim::Clip& cl
                                   const engine::RenderSettings& settings) {
     const engine::Shot shot(scene, clip, settings);
     (void)shot.camera().view(anim::pose(scene, clip, 0.0));
-    std::vector<std::string> notes = engine::notes_on_looks(scene, geometry, engine::Textures(scene));
-    notes.insert(notes.end(), shot.notes().begin(), shot.notes().end());
-    return notes;
+    return engine::notes_on(scene, geometry, engine::Textures(scene), shot);
 }
 
 }  // namespace

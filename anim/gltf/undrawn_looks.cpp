@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -18,73 +19,72 @@ struct Look {
     std::string_view place;  ///< property or extension of a material
     std::string_view words;
     bool (*shows)(const Material&) = [](const Material&) { return true; };
+    /// What animations may drive to switch it on, as pointers below the material name it.
+    std::array<std::string_view, 2> switches{};
     std::string_view fate = "it is not drawn yet";
 };
 
-/// Whether a value that pointers drive can switch a look on: a roughness, say, cannot.
-bool is_switch(std::string_view property) {
-    constexpr std::array<std::string_view, 9> switches{"scale",
-                                                       "strength",
-                                                       "ior",
-                                                       "specularFactor",
-                                                       "specularColorFactor",
-                                                       "clearcoatFactor",
-                                                       "sheenColorFactor",
-                                                       "transmissionFactor",
-                                                       "thicknessFactor"};
-    return std::find(switches.begin(), switches.end(), property) != switches.end();
-}
-
 constexpr std::array looks{
-    Look{"normalTexture", "a normal map", [](const Material& m) { return m.normal_scale != 0.0f; }},
-    Look{"occlusionTexture", "an occlusion map",
-         [](const Material& m) { return m.occlusion_strength != 0.0f; }},
-    Look{"KHR_materials_ior", "an index of refraction other than 1.5",
-         [](const Material& m) { return m.ior != 1.5f; }},
-    Look{"KHR_materials_specular", "reflections of a strength or colour other than the default",
+    Look{"normalTexture",
+         "a normal map",
+         [](const Material& m) { return m.normal_scale != 0.0f; },
+         {"normalTexture/scale"}},
+    Look{"occlusionTexture",
+         "an occlusion map",
+         [](const Material& m) { return m.occlusion_strength != 0.0f; },
+         {"occlusionTexture/strength"}},
+    Look{"KHR_materials_ior",
+         "an index of refraction other than 1.5",
+         [](const Material& m) { return m.ior != 1.5f; },
+         {"extensions/KHR_materials_ior/ior"}},
+    Look{"KHR_materials_specular",
+         "reflections of a strength or colour other than the default",
          [](const Material& m) {
              const Specular& s = m.specular;
              return s.factor != 1.0f || s.color != glm::vec3(1.0f) || s.texture || s.color_texture;
-         }},
-    Look{"KHR_materials_clearcoat", "a clearcoat",
-         [](const Material& m) { return m.clearcoat.factor > 0.0f; }},
-    Look{"KHR_materials_sheen", "a sheen",
-         [](const Material& m) { return m.sheen.color != glm::vec3(0.0f); }},
-    Look{"KHR_materials_transmission", "transmission",
+         },
+         {"extensions/KHR_materials_specular/specularFactor",
+          "extensions/KHR_materials_specular/specularColorFactor"}},
+    Look{"KHR_materials_clearcoat",
+         "a clearcoat",
+         [](const Material& m) { return m.clearcoat.factor > 0.0f; },
+         {"extensions/KHR_materials_clearcoat/clearcoatFactor"}},
+    Look{"KHR_materials_sheen",
+         "a sheen",
+         [](const Material& m) { return m.sheen.color != glm::vec3(0.0f); },
+         {"extensions/KHR_materials_sheen/sheenColorFactor"}},
+    Look{"KHR_materials_transmission",
+         "transmission",
          [](const Material& m) { return m.transmission.factor > 0.0f; },
+         {"extensions/KHR_materials_transmission/transmissionFactor"},
          "until it is drawn, such surfaces are opaque"},
-    Look{"KHR_materials_volume", "a volume", [](const Material& m) { return m.volume.thickness_m > 0.0f; }},
+    Look{"KHR_materials_volume",
+         "a volume",
+         [](const Material& m) { return m.volume.thickness_m > 0.0f; },
+         {"extensions/KHR_materials_volume/thicknessFactor"}},
     Look{"KHR_materials_anisotropy", "anisotropy"},
     Look{"KHR_materials_diffuse_transmission", "diffuse transmission"},
     Look{"KHR_materials_dispersion", "dispersion"},
     Look{"KHR_materials_iridescence", "iridescence"},
 };
 
-bool is_extension(std::string_view place) {
-    return place.starts_with("KHR_");
-}
-
 std::optional<Place> find_look(const Place& material, std::string_view place) {
-    return is_extension(place) ? material.find_extension(place) : material.find(place);
+    return place.starts_with("KHR_") ? material.find_extension(place) : material.find(place);
 }
 
-/// Whether a pointer drives what switches the look on.
-bool switches(std::string_view pointer, std::string_view place) {
-    constexpr std::string_view extensions = "extensions/";
-    if (is_extension(place) && pointer.starts_with(extensions)) pointer.remove_prefix(extensions.size());
-    return pointer.starts_with(place) && pointer.substr(place.size()).starts_with('/') &&
-           is_switch(pointer.substr(place.size() + 1));
-}
-
-/// The materials whose look an animation drives, one flag each.
-std::vector<bool> animated(const Scene& scene, const Look& look) {
-    std::vector<bool> is_animated(scene.materials.size(), false);
+/// What animations drive of each material, as pointers below it.
+std::vector<std::set<std::string_view>> driven_properties(const Scene& scene) {
+    std::vector<std::set<std::string_view>> driven(scene.materials.size());
     for (const Animation& animation : scene.animations)
         for (const Channel& channel : animation.channels)
-            if (channel.path == ChannelPath::material &&
-                switches(material_properties()[channel.property].pointer, look.place))
-                is_animated[channel.object] = true;
-    return is_animated;
+            if (channel.path == ChannelPath::material)
+                driven[channel.object].insert(material_properties()[channel.property].pointer);
+    return driven;
+}
+
+bool can_switch_on(const Look& look, const std::set<std::string_view>& driven) {
+    return std::ranges::any_of(look.switches,
+                               [&](std::string_view pointer) { return driven.contains(pointer); });
 }
 
 }  // namespace
@@ -92,13 +92,14 @@ std::vector<bool> animated(const Scene& scene, const Look& look) {
 void warn_of_undrawn_looks(Document& document, const Scene& scene) {
     const std::vector<Material>& materials = scene.materials;
     const auto places = document.all("materials");
+    const auto driven = driven_properties(scene);
     for (const Look& look : looks) {
-        const std::vector<bool> is_animated = animated(scene, look);
         std::optional<Place> first;
         std::size_t count = 0;
         for (std::size_t i = 0; i < materials.size(); ++i) {
             const auto place = find_look(places[i], look.place);
-            if (!place || materials[i].unlit || !(look.shows(materials[i]) || is_animated[i])) continue;
+            if (!place || materials[i].unlit) continue;
+            if (!look.shows(materials[i]) && !can_switch_on(look, driven[i])) continue;
             if (!first) first = place;
             ++count;
         }
