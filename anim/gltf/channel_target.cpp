@@ -61,8 +61,7 @@ std::size_t count_of(const Place& root, std::string_view prefix) {
 
 /// How many morph targets a mesh has.
 std::size_t count_of_targets(const Place& root, std::size_t mesh) {
-    const auto targets = root.at("meshes", mesh).at("primitives", 0).find("targets");
-    return targets ? targets->size() : 0;
+    return root.at("meshes", mesh).at("primitives", 0).count("targets");
 }
 
 std::size_t count_of_node_weights(const Place& root, std::size_t node, const Place& target) {

@@ -13,8 +13,6 @@ namespace gridreel::anim::gltf {
 namespace {
 
 constexpr std::size_t max_depth = 128;
-constexpr double exact_integers = 9007199254740992.0;  // 2^53
-
 /// Builds our tree from the parser's events, so that depth is bounded while parsing.
 class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 public:

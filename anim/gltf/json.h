@@ -9,6 +9,9 @@
 
 namespace gridreel::anim::gltf {
 
+/// Up to here a double counts every integer.
+inline constexpr double exact_integers = 9007199254740992.0;  // 2^53
+
 /// One JSON value. Numbers are doubles: exact for integers up to 2^53, the range glTF allows.
 struct Json {
     using Array = std::vector<Json>;

@@ -8,11 +8,6 @@
 #include <cmath>
 
 namespace gridreel::anim::gltf {
-namespace {
-
-constexpr double exact_integers = 9007199254740992.0;  // 2^53
-
-}  // namespace
 
 Place Place::step(const Json& json, std::string_view token) const {
     Place next(json, *file_);
@@ -51,6 +46,11 @@ Place Place::at(std::string_view name) const {
 std::size_t Place::size() const {
     const auto* const array = std::get_if<Json::Array>(&json_->value);
     return array ? array->size() : 0;
+}
+
+std::size_t Place::count(std::string_view name) const {
+    const auto found = find(name);
+    return found ? found->size() : 0;
 }
 
 Place Place::operator[](std::size_t i) const {

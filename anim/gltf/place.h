@@ -30,6 +30,8 @@ public:
 
     /// Items of an array; 0 for anything else.
     [[nodiscard]] std::size_t size() const;
+    /// Items of the array of that name; 0 when it is absent.
+    [[nodiscard]] std::size_t count(std::string_view name) const;
     /// Item `i` of an array, i < size().
     [[nodiscard]] Place operator[](std::size_t i) const;
     /// Item `i` of the array named `name`, which must be there and long enough.

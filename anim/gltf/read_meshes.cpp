@@ -160,8 +160,7 @@ std::optional<Primitive> read_primitive(Document& document, const Place& place) 
 }
 
 std::vector<float> default_weights(const Place& mesh) {
-    const auto targets = mesh.at("primitives", 0).find("targets");
-    std::vector<float> weights(targets ? targets->size() : 0, 0.0f);
+    std::vector<float> weights(mesh.at("primitives", 0).count("targets"), 0.0f);
     if (const auto stated = mesh.find("weights"))
         for (std::size_t i = 0; i < stated->size(); ++i)
             weights[i] = static_cast<float>((*stated)[i].number());

@@ -152,11 +152,6 @@ void check_primitive(const Place& primitive, std::span<const Accessor> accessors
         for (std::size_t i = 0; i < targets->size(); ++i) check_all((*targets)[i], target_rules());
 }
 
-std::size_t target_count(const Place& primitive) {
-    const auto targets = primitive.find("targets");
-    return targets ? targets->size() : 0;
-}
-
 }  // namespace
 
 void validate_meshes(const Place& root, std::span<const Accessor> accessors) {
@@ -164,13 +159,13 @@ void validate_meshes(const Place& root, std::span<const Accessor> accessors) {
     const auto meshes = root.find("meshes");
     for (std::size_t m = 0; meshes && m < meshes->size(); ++m) {
         const Place mesh = (*meshes)[m], primitives = mesh.at("primitives");
-        const std::size_t targets = target_count(primitives[0]);
+        const std::size_t targets = primitives[0].count("targets");
         for (std::size_t p = 0; p < primitives.size(); ++p) {
             check_primitive(primitives[p], accessors, quantized);
-            if (target_count(primitives[p]) != targets)
+            if (primitives[p].count("targets") != targets)
                 primitives[p].refuse(
                     fmt::format("the primitive has {} morph targets, the mesh's first has {}",
-                                target_count(primitives[p]), targets));
+                                primitives[p].count("targets"), targets));
         }
         if (const auto weights = mesh.find("weights");
             weights && weights->size() > 0 && weights->size() != targets)

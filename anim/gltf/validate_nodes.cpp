@@ -9,14 +9,9 @@
 namespace gridreel::anim::gltf {
 namespace {
 
-std::size_t count_of(const Place& root, std::string_view array) {
-    const auto found = root.find(array);
-    return found ? found->size() : 0;
-}
-
 /// Every node has at most one parent, and following parents ends at a root.
 std::vector<std::optional<std::size_t>> check_tree(const Place& root) {
-    const std::size_t count = count_of(root, "nodes");
+    const std::size_t count = root.count("nodes");
     std::vector<std::optional<std::size_t>> parents(count);
     std::vector<std::vector<std::size_t>> children(count);
     for (std::size_t node = 0; node < count; ++node) {
@@ -51,7 +46,7 @@ std::vector<std::optional<std::size_t>> check_tree(const Place& root) {
 void check_scenes(const Place& root, const std::vector<std::optional<std::size_t>>& parents) {
     // One list for all scenes, as there may be as many of them as nodes.
     std::vector<std::optional<std::size_t>> listed_in(parents.size());
-    for (std::size_t scene = 0; scene < count_of(root, "scenes"); ++scene) {
+    for (std::size_t scene = 0; scene < root.count("scenes"); ++scene) {
         const auto nodes = root.at("scenes", scene).find("nodes");
         for (std::size_t i = 0; nodes && i < nodes->size(); ++i) {
             const std::size_t node = (*nodes)[i].index();
@@ -77,7 +72,7 @@ void check_transform(const Place& node) {
 
 /// For each mesh, its first primitive that no skin can move, if there is one.
 std::vector<std::optional<std::size_t>> find_unskinned(const Place& root) {
-    std::vector<std::optional<std::size_t>> unskinned(count_of(root, "meshes"));
+    std::vector<std::optional<std::size_t>> unskinned(root.count("meshes"));
     for (std::size_t mesh = 0; mesh < unskinned.size(); ++mesh) {
         const Place primitives = root.at("meshes", mesh).at("primitives");
         for (std::size_t i = 0; i < primitives.size() && !unskinned[mesh]; ++i)
@@ -92,9 +87,7 @@ void check_mesh_of(const Place& node, const Place& root,
     const auto weights = node.find("weights");
     if (weights && weights->size() > 0) {
         if (!mesh) weights->refuse("the node has morph weights but no mesh");
-        const Place first = root.at("meshes", *mesh).at("primitives", 0);
-        const auto targets = first.find("targets");
-        const std::size_t count = targets ? targets->size() : 0;
+        const std::size_t count = root.at("meshes", *mesh).at("primitives", 0).count("targets");
         if (weights->size() != count)
             weights->refuse(fmt::format("the node has {} morph weights; mesh {} has {} targets",
                                         weights->size(), *mesh, count));
@@ -126,12 +119,12 @@ void validate_nodes(const Place& root, std::span<const Accessor> accessors) {
     const auto parents = check_tree(root);
     check_scenes(root, parents);
     const auto unskinned = find_unskinned(root);
-    for (std::size_t i = 0; i < count_of(root, "nodes"); ++i) {
+    for (std::size_t i = 0; i < root.count("nodes"); ++i) {
         const Place node = root.at("nodes", i);
         check_transform(node);
         check_mesh_of(node, root, unskinned);
     }
-    for (std::size_t i = 0; i < count_of(root, "skins"); ++i) check_skin(root.at("skins", i), accessors);
+    for (std::size_t i = 0; i < root.count("skins"); ++i) check_skin(root.at("skins", i), accessors);
 }
 
 }  // namespace gridreel::anim::gltf

@@ -17,7 +17,7 @@ bool is_array(const Place& place) {
 }
 
 /// Items of the array an index points into.
-std::size_t count_of(const Place& root, std::string_view array) {
+std::size_t count_indexed(const Place& root, std::string_view array) {
     const Json* owner = &root.json();
     const std::string_view extension = array == "lights"     ? "KHR_lights_punctual"
                                        : array == "variants" ? "KHR_materials_variants"
@@ -32,7 +32,7 @@ std::size_t count_of(const Place& root, std::string_view array) {
 }
 
 void check_index(const Place& place, std::string_view array, const Place& root) {
-    const std::size_t count = count_of(root, array), i = place.integer();
+    const std::size_t count = count_indexed(root, array), i = place.integer();
     if (i >= count)
         place.refuse(fmt::format("index {} is out of range: the file has {} {}", i, count, array));
 }
