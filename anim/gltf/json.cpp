@@ -13,6 +13,7 @@ namespace gridreel::anim::gltf {
 namespace {
 
 constexpr std::size_t max_depth = 128;
+
 /// Builds our tree from the parser's events, so that depth is bounded while parsing.
 class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 public:
